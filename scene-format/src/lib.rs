@@ -1,0 +1,29 @@
+//! Reads and writes Sunflow's `.sc` scene files.
+//!
+//! [`parse`] turns text into a [`SceneFile`], plain data with a place in the source for all that a message may have to
+//! point at, and a list of [`Diagnostic`]s. It goes on after an error, so that one run shows all of them. [`print`] turns a
+//! `SceneFile` back into text. Nothing here touches a disk: includes come through the caller's [`Files`].
+//!
+//! Conventions: all numbers are 32-bit floats as in Sunflow; angles are in degrees, lengths in the scene's own unit; a
+//! [`Span`] counts bytes.
+
+mod diagnostic;
+mod files;
+pub mod scene_file;
+mod span;
+
+pub use diagnostic::{Diagnostic, Severity};
+pub use files::{FileError, Files, NoFiles};
+pub use scene_file::SceneFile;
+pub use span::{FileId, LineColumn, Source, Sources, Span, Spanned};
+
+/// What came of reading a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parsed {
+    /// All that could be read.
+    pub scene: SceneFile,
+    /// All that is to be said about it, in the order of the source.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The files that took part, which the diagnostics' places refer to.
+    pub sources: Sources,
+}

@@ -1,0 +1,23 @@
+use crate::span::Spanned;
+
+/// A colour as written. Which numbers a renderer makes of it is the renderer's affair; see each variant for the meaning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Color {
+    /// `r g b` without braces: linear sRGB primaries, not clamped.
+    Bare([f32; 3]),
+    /// `{ "sRGB nonlinear" r g b }`: sRGB-encoded, each channel clamped to 0..1 before decoding.
+    SrgbNonlinear([f32; 3]),
+    /// `{ "sRGB linear" r g b }`: linear sRGB primaries, not clamped.
+    SrgbLinear([f32; 3]),
+    /// `{ XYZ x y z }`: CIE 1931 XYZ; channels may come out negative.
+    Xyz([f32; 3]),
+}
+
+/// What covers a surface: one colour, or an image.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Paint {
+    /// `diff <color>`
+    Color(Color),
+    /// `texture <file>`: the file's name as written.
+    Texture(Spanned<String>),
+}

@@ -1,0 +1,58 @@
+/// `image { ... }`: the size of the picture and how it is sampled. What the file leaves out is `None`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Image {
+    /// `resolution W H` in pixels; 640 x 480 unless given.
+    pub resolution: Option<[u32; 2]>,
+    /// `sampler NAME`
+    pub sampler: Option<String>,
+    /// `aa MIN MAX`: the larger number is the binary logarithm of the zones along a pixel's edge; 0 0 unless given.
+    pub aa: Option<[i32; 2]>,
+    /// `samples N`: rays in each zone; 1 unless given.
+    pub samples: Option<u32>,
+    /// `contrast C`
+    pub contrast: Option<f32>,
+    /// `filter NAME`
+    pub filter: Option<String>,
+    /// `jitter BOOL`
+    pub jitter: Option<bool>,
+}
+
+/// `bucket SIZE ORDER`: the tiles that the picture is rendered in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bucket {
+    /// The edge of a tile in pixels.
+    pub size: u32,
+    /// The order in which the tiles are taken.
+    pub order: BucketOrder,
+    /// `"reverse ORDER"`: the same order, backwards.
+    pub reversed: bool,
+}
+
+/// An order of tiles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BucketOrder {
+    /// Along Hilbert's curve: neighbours in time are neighbours in the picture.
+    #[default]
+    Hilbert,
+    /// From the middle outwards.
+    Spiral,
+    /// Column by column, every second one upwards.
+    Column,
+    /// Row by row, every second one from right to left.
+    Row,
+    /// Along the diagonals.
+    Diagonal,
+    /// In a fixed shuffled order.
+    Random,
+}
+
+/// `trace-depths { ... }`: how often a ray may bounce. What the file leaves out is `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TraceDepths {
+    /// `diff N`: diffuse bounces; 1 unless given.
+    pub diffuse: Option<u32>,
+    /// `refl N`: reflections; 4 unless given.
+    pub reflection: Option<u32>,
+    /// `refr N`: refractions; 4 unless given.
+    pub refraction: Option<u32>,
+}
