@@ -1,0 +1,48 @@
+/// Where a ray meets one primitive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intersection {
+    /// How far along the ray, in multiples of its direction.
+    pub t: f32,
+    /// A triangle's barycentric weight of its second corner; 0 for other primitives, which need none.
+    pub u: f32,
+    /// A triangle's barycentric weight of its third corner; 0 for other primitives.
+    pub v: f32,
+}
+
+impl Intersection {
+    /// An intersection with a primitive whose surface follows from `t` alone.
+    pub fn at(t: f32) -> Self {
+        Self { t, u: 0.0, v: 0.0 }
+    }
+
+    /// With the number of the primitive that was met.
+    pub fn on(self, primitive: u32) -> Hit {
+        Hit { t: self.t, u: self.u, v: self.v, primitive }
+    }
+}
+
+/// Where a ray meets which primitive of a set: 16 bytes. All else is computed for the nearest hit alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// As in [`Intersection`].
+    pub t: f32,
+    /// As in [`Intersection`].
+    pub u: f32,
+    /// As in [`Intersection`].
+    pub v: f32,
+    /// The primitive's number in its set.
+    pub primitive: u32,
+}
+
+impl Hit {
+    /// The hit without its primitive.
+    pub fn intersection(self) -> Intersection {
+        Intersection { t: self.t, u: self.u, v: self.v }
+    }
+
+    /// Whether this hit comes before another: by distance, and at equal distance by the lower number, so that the answer does
+    /// not depend on the order in which primitives are tried.
+    pub fn is_before(self, other: Self) -> bool {
+        self.t < other.t || (self.t == other.t && self.primitive < other.primitive)
+    }
+}

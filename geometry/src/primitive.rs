@@ -1,0 +1,20 @@
+use glam::Vec2;
+
+use crate::{Aabb, Intersection, Interval, Ray, Surface};
+
+/// A shape that a ray can meet.
+pub trait Primitive {
+    /// A box around it; never too small. Infinite shapes have an infinite box.
+    fn bounds(&self) -> Aabb;
+
+    /// The nearest intersection strictly within the interval, whichever side it is met from.
+    ///
+    /// `t` is the exact one rounded to `f32`, to within 0.51 ulp.
+    fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection>;
+
+    /// The surface at an intersection that [`Self::intersect`] has found for the same ray.
+    fn surface(&self, ray: &Ray, at: &Intersection) -> Surface;
+
+    /// The texture coordinates there. Called only where a texture wants them.
+    fn uv(&self, ray: &Ray, at: &Intersection) -> Vec2;
+}

@@ -1,0 +1,280 @@
+use std::sync::Arc;
+
+use glam::{DVec3, Vec2, Vec3};
+
+use crate::{
+    Aabb, Ellipsoid, Hit, Intersection, Interval, Primitive, Ray, Sphere, Surface, Triangle, triangle::interpolate,
+};
+
+/// Triangles that share points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// The points.
+    pub positions: Vec<Vec3>,
+    /// Three indices into the points for each triangle, counter-clockwise seen from the front.
+    pub triangles: Vec<[u32; 3]>,
+    /// Normals to shade with, of any length; a zero one falls back to the triangle's own.
+    pub normals: Corners<Vec3>,
+    /// Texture coordinates; without them the two edges from a triangle's first corner are the basis.
+    pub uvs: Corners<Vec2>,
+}
+
+/// Values at the corners of a mesh's triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Corners<T> {
+    /// None are given.
+    #[default]
+    None,
+    /// One for each point.
+    PerPoint(Vec<T>),
+    /// Three for each triangle.
+    PerTriangle(Vec<[T; 3]>),
+}
+
+impl<T: Copy> Corners<T> {
+    fn of(&self, face: usize, corners: [u32; 3]) -> Option<[T; 3]> {
+        match self {
+            Self::None => None,
+            Self::PerPoint(values) => Some(corners.map(|corner| values[corner as usize])),
+            Self::PerTriangle(values) => Some(values[face]),
+        }
+    }
+}
+
+/// The bounded primitives of a scene, numbered from 0 in the order in which they were added.
+///
+/// Cheap to [`Self::subset`]: the shapes themselves are shared.
+#[derive(Clone, Debug, Default)]
+pub struct Primitives {
+    shapes: Arc<Shapes>,
+    numbered: Vec<Number>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Shapes {
+    spheres: Vec<Sphere>,
+    ellipsoids: Vec<Ellipsoid>,
+    /// The triangles of all meshes, one mesh after the other, with their corners in place: one load for a test.
+    triangles: Vec<Triangle>,
+    meshes: Vec<MeshCorners>,
+}
+
+/// What a mesh keeps beside its triangles' corners.
+#[derive(Clone, Debug)]
+struct MeshCorners {
+    first_triangle: u32,
+    /// Empty when no value is given for each point.
+    point_indices: Vec<[u32; 3]>,
+    normals: Corners<Vec3>,
+    uvs: Corners<Vec2>,
+}
+
+/// Which shape has a primitive's number.
+#[derive(Clone, Copy, Debug)]
+enum Number {
+    Sphere(u32),
+    Ellipsoid(u32),
+    Triangle(u32),
+}
+
+impl Primitives {
+    /// How many there are.
+    pub fn len(&self) -> u32 {
+        self.numbered.len() as u32
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.numbered.is_empty()
+    }
+
+    /// Adds a sphere.
+    pub fn add_sphere(&mut self, sphere: Sphere) {
+        let spheres = &mut Arc::make_mut(&mut self.shapes).spheres;
+        self.numbered.push(Number::Sphere(spheres.len() as u32));
+        spheres.push(sphere);
+    }
+
+    /// Adds an ellipsoid.
+    pub fn add_ellipsoid(&mut self, ellipsoid: Ellipsoid) {
+        let ellipsoids = &mut Arc::make_mut(&mut self.shapes).ellipsoids;
+        self.numbered.push(Number::Ellipsoid(ellipsoids.len() as u32));
+        ellipsoids.push(ellipsoid);
+    }
+
+    /// Adds a mesh: its triangles get one number each, in order.
+    ///
+    /// # Panics
+    /// If an index is not below the number of points, or values per point or triangle are fewer than these.
+    pub fn add_mesh(&mut self, mesh: Mesh) {
+        let Mesh { positions, triangles, normals, uvs } = mesh;
+        for count in [normals.missing(&positions, &triangles), uvs.missing(&positions, &triangles)] {
+            assert_eq!(count, 0, "a value for every corner");
+        }
+        let shapes = Arc::make_mut(&mut self.shapes);
+        let first_triangle = shapes.triangles.len() as u32;
+        let corners =
+            triangles.iter().map(|&indices| Triangle { corners: indices.map(|index| positions[index as usize]) });
+        shapes.triangles.extend(corners);
+        self.numbered.extend((first_triangle..shapes.triangles.len() as u32).map(Number::Triangle));
+        let per_point = matches!(normals, Corners::PerPoint(_)) || matches!(uvs, Corners::PerPoint(_));
+        let point_indices = if per_point { triangles } else { Vec::new() };
+        shapes.meshes.push(MeshCorners { first_triangle, point_indices, normals, uvs });
+    }
+
+    /// Those whose number passes, renumbered from 0.
+    #[must_use]
+    pub fn subset(&self, keep: impl Fn(u32) -> bool) -> Self {
+        let numbered = (0..).zip(&self.numbered).filter(|&(number, _)| keep(number)).map(|(_, &shape)| shape).collect();
+        Self { shapes: Arc::clone(&self.shapes), numbered }
+    }
+
+    /// A box around one.
+    pub fn bounds(&self, number: u32) -> Aabb {
+        self.shape(number).bounds()
+    }
+
+    /// A triangle's corners, for accelerators that pack them; `None` for other shapes.
+    pub fn triangle(&self, number: u32) -> Option<&Triangle> {
+        match self.numbered[number as usize] {
+            Number::Triangle(index) => Some(&self.shapes.triangles[index as usize]),
+            _ => None,
+        }
+    }
+
+    /// The nearest hit of one, strictly within the interval.
+    #[inline]
+    pub fn intersect(&self, number: u32, ray: &Ray, within: Interval) -> Option<Hit> {
+        let met = match self.numbered[number as usize] {
+            Number::Triangle(index) => self.shapes.triangles[index as usize].intersect(ray, within),
+            Number::Sphere(index) => self.shapes.spheres[index as usize].intersect(ray, within),
+            Number::Ellipsoid(index) => self.shapes.ellipsoids[index as usize].intersect(ray, within),
+        };
+        met.map(|met| met.on(number))
+    }
+
+    /// The surface at a hit that [`Self::intersect`] has found for the same ray; a mesh's own normals are interpolated.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let at = hit.intersection();
+        let surface = self.shape(hit.primitive).surface(ray, &at);
+        let shading_normal = self
+            .mesh_corners(hit.primitive, |mesh| &mesh.normals)
+            .and_then(|normals| interpolate(normals.map(|normal| normal.as_dvec3()), at.u, at.v).try_normalize());
+        match shading_normal {
+            Some(normal) => Surface { shading_normal: normal.as_vec3(), ..surface },
+            None => surface,
+        }
+    }
+
+    /// The texture coordinates at a hit; a mesh's own are interpolated.
+    pub fn uv(&self, ray: &Ray, hit: &Hit) -> Vec2 {
+        let at: Intersection = hit.intersection();
+        match self.mesh_corners(hit.primitive, |mesh| &mesh.uvs) {
+            Some(uvs) => {
+                let uv = interpolate(uvs.map(|uv| DVec3::new(f64::from(uv.x), f64::from(uv.y), 0.0)), at.u, at.v);
+                Vec2::new(uv.x as f32, uv.y as f32)
+            }
+            None => self.shape(hit.primitive).uv(ray, &at),
+        }
+    }
+
+    /// The memory that the primitives take, in bytes.
+    pub fn bytes(&self) -> usize {
+        let shapes = &self.shapes;
+        size_of_val(&self.numbered[..])
+            + size_of_val(&shapes.spheres[..])
+            + size_of_val(&shapes.ellipsoids[..])
+            + size_of_val(&shapes.triangles[..])
+            + shapes.meshes.iter().map(MeshCorners::bytes).sum::<usize>()
+    }
+
+    fn shape(&self, number: u32) -> &dyn Primitive {
+        match self.numbered[number as usize] {
+            Number::Sphere(index) => &self.shapes.spheres[index as usize],
+            Number::Ellipsoid(index) => &self.shapes.ellipsoids[index as usize],
+            Number::Triangle(index) => &self.shapes.triangles[index as usize],
+        }
+    }
+
+    /// The values at the corners of a triangle, if it is one and its mesh has them.
+    fn mesh_corners<T: Copy>(&self, number: u32, values: impl Fn(&MeshCorners) -> &Corners<T>) -> Option<[T; 3]> {
+        let Number::Triangle(index) = self.numbered[number as usize] else { return None };
+        let mesh = &self.shapes.meshes[self.shapes.meshes.partition_point(|mesh| mesh.first_triangle <= index) - 1];
+        let face = (index - mesh.first_triangle) as usize;
+        values(mesh).of(face, mesh.point_indices.get(face).copied().unwrap_or_default())
+    }
+}
+
+impl MeshCorners {
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&self.point_indices[..]) + self.normals.bytes() + self.uvs.bytes()
+    }
+}
+
+impl<T> Corners<T> {
+    /// How many values are missing.
+    fn missing(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> usize {
+        match self {
+            Self::None => 0,
+            Self::PerPoint(values) => positions.len().saturating_sub(values.len()),
+            Self::PerTriangle(values) => triangles.len().saturating_sub(values.len()),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::PerPoint(values) => size_of_val(&values[..]),
+            Self::PerTriangle(values) => size_of_val(&values[..]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_meshes_and_a_sphere() -> Primitives {
+        let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mut primitives = Primitives::default();
+        primitives.add_mesh(Mesh { positions: corners.clone(), triangles: vec![[0, 1, 2]], ..Mesh::default() });
+        primitives.add_sphere(Sphere { center: Vec3::new(0.0, 0.0, -9.0), radius: 1.0 });
+        primitives.add_mesh(Mesh {
+            positions: corners.iter().map(|&corner| corner - Vec3::Z).collect(),
+            triangles: vec![[0, 1, 2]],
+            normals: Corners::PerPoint(vec![Vec3::X, Vec3::X, Vec3::X]),
+            uvs: Corners::PerTriangle(vec![[Vec2::ZERO, Vec2::new(4.0, 0.0), Vec2::new(0.0, 4.0)]]),
+        });
+        primitives
+    }
+
+    const DOWN: Ray = Ray { origin: Vec3::new(0.25, 0.25, 1.0), direction: Vec3::NEG_Z };
+
+    #[test]
+    fn each_shape_has_the_number_of_its_turn() {
+        let primitives = two_meshes_and_a_sphere();
+        assert_eq!(primitives.len(), 3);
+        let t: Vec<_> =
+            (0..3).map(|number| primitives.intersect(number, &DOWN, Interval::FORWARD).map(|hit| hit.t)).collect();
+        assert_eq!((t[0], t[2]), (Some(1.0), Some(2.0)));
+        assert!(t[1].is_some_and(|t| t > 9.0));
+    }
+
+    #[test]
+    fn a_mesh_has_its_own_normals_and_texture_coordinates_and_others_the_triangles_own() {
+        let primitives = two_meshes_and_a_sphere();
+        let at = |number| primitives.intersect(number, &DOWN, Interval::FORWARD).unwrap();
+        assert_eq!(primitives.surface(&DOWN, &at(0)).shading_normal, Vec3::Z);
+        assert_eq!(primitives.uv(&DOWN, &at(0)), Vec2::new(0.25, 0.25));
+        assert_eq!(primitives.surface(&DOWN, &at(2)).shading_normal, Vec3::X);
+        assert_eq!(primitives.surface(&DOWN, &at(2)).geometric_normal, Vec3::Z);
+        assert_eq!(primitives.uv(&DOWN, &at(2)), Vec2::new(1.0, 1.0));
+    }
+
+    #[test]
+    fn a_subset_is_renumbered() {
+        let rest = two_meshes_and_a_sphere().subset(|number| number != 0);
+        assert_eq!(rest.len(), 2);
+        assert_eq!(rest.intersect(1, &DOWN, Interval::FORWARD).unwrap().t, 2.0);
+    }
+}

@@ -1,0 +1,137 @@
+use std::f64::consts::PI;
+
+use glam::{DVec3, Vec2, Vec3};
+
+use crate::{
+    Aabb, Intersection, Interval, Primitive, Ray, Surface,
+    rounding::{round_down, round_up},
+};
+
+/// A sphere whose axis is the z axis. One that is turned or stretched is an [`crate::Ellipsoid`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Its centre.
+    pub center: Vec3,
+    /// Its radius, greater than 0.
+    pub radius: f32,
+}
+
+/// Where a line meets a sphere, seen from its centre: the two `t`, the lesser first.
+///
+/// Half-b quadratic with the discriminant taken from the point of the line nearest to the centre, in `f64`:
+///
+/// ```text
+///        d ->            f  from the centre to the origin
+///   o----------m----     m  = f - (f.d / d.d) d, perpendicular to d
+///    \         | l       l  = |m|; met if l <= r, at t = -f.d / d.d -+ sqrt((r^2 - l^2) / d.d)
+///   f \        |
+///      \       c
+/// ```
+///
+/// (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019, chapter 7.)
+/// The lesser root in magnitude is found from the product of the roots, `(f.f - r^2) / d.d`, which does not cancel.
+pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f64) -> Option<[f64; 2]> {
+    let a = direction.dot(direction);
+    let half_b = from_center.dot(direction);
+    let nearest = from_center - direction * (half_b / a);
+    let half_chord_squared = (radius * radius - nearest.dot(nearest)) / a;
+    // A zero direction makes a NaN here, and a NaN is not a hit.
+    if half_chord_squared.is_nan() || half_chord_squared < 0.0 {
+        return None;
+    }
+    let far = -(half_b / a) + half_chord_squared.sqrt().copysign(-half_b);
+    let product = (from_center.dot(from_center) - radius * radius) / a;
+    let other = if far == 0.0 { 0.0 } else { product / far };
+    Some(if far < other { [far, other] } else { [other, far] })
+}
+
+/// The first of two `t`, rounded to `f32`, that lies in the interval.
+pub(crate) fn first_within(roots: [f64; 2], within: Interval) -> Option<Intersection> {
+    roots.into_iter().map(|t| t as f32).find(|&t| within.contains(t)).map(Intersection::at)
+}
+
+/// The exact intersection again, in `f64`: the root that was rounded to `t`.
+pub(crate) fn root_nearest(roots: Option<[f64; 2]>, t: f32) -> f64 {
+    roots.and_then(|roots| roots.into_iter().find(|&root| root as f32 == t)).unwrap_or(f64::from(t))
+}
+
+/// Texture coordinates of a direction from the centre: `u` around the z axis from +x over +y, `v` from +z (0) to -z (1).
+///
+/// `v` from `atan2`, since `acos` loses half the digits at the poles. `u` is 0, never 1, at the seam.
+pub(crate) fn sphere_uv(direction: DVec3) -> Vec2 {
+    let around = libm::atan2(direction.y, direction.x) / (2.0 * PI);
+    let u = (if around < 0.0 { around + 1.0 } else { around }) as f32;
+    let v = libm::atan2((direction.x * direction.x + direction.y * direction.y).sqrt(), direction.z) / PI;
+    Vec2::new(if u < 1.0 { u } else { 0.0 }, v as f32)
+}
+
+impl Sphere {
+    fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
+        line_meets_sphere(from_center, ray.direction.as_dvec3(), f64::from(self.radius))
+    }
+
+    /// The unit vector from the centre to an intersection.
+    fn outward(&self, ray: &Ray, at: &Intersection) -> DVec3 {
+        (ray.at(root_nearest(self.roots(ray), at.t)) - self.center.as_dvec3()).normalize()
+    }
+}
+
+impl Primitive for Sphere {
+    fn bounds(&self) -> Aabb {
+        let center = self.center.as_dvec3();
+        let radius = DVec3::splat(f64::from(self.radius));
+        Aabb { min: round_down(center - radius), max: round_up(center + radius) }
+    }
+
+    fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection> {
+        first_within(self.roots(ray)?, within)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Intersection) -> Surface {
+        let normal = self.outward(ray, at);
+        let position = self.center.as_dvec3() + normal * f64::from(self.radius);
+        let magnitude = self.center.abs().max_element() + self.radius;
+        Surface::rounded(position.as_vec3(), magnitude, normal.as_vec3())
+    }
+
+    fn uv(&self, ray: &Ray, at: &Intersection) -> Vec2 {
+        sphere_uv(self.outward(ray, at))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+
+    #[test]
+    fn a_sphere_is_met_first_in_front_and_from_inside_behind_the_centre() {
+        let outside = Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z);
+        assert_eq!(UNIT.intersect(&outside, Interval::FORWARD), Some(Intersection::at(2.0)));
+        let inside = Ray::new(Vec3::ZERO, Vec3::Z);
+        assert_eq!(UNIT.intersect(&inside, Interval::FORWARD), Some(Intersection::at(1.0)));
+    }
+
+    #[test]
+    fn t_counts_multiples_of_the_direction() {
+        let ray = Ray::new(Vec3::new(0.0, 0.0, -3.0), 4.0 * Vec3::Z);
+        assert_eq!(UNIT.intersect(&ray, Interval::FORWARD), Some(Intersection::at(0.5)));
+    }
+
+    #[test]
+    fn a_tangent_meets_the_sphere() {
+        let ray = Ray::new(Vec3::new(1.0, 0.0, -3.0), Vec3::Z);
+        assert_eq!(UNIT.intersect(&ray, Interval::FORWARD), Some(Intersection::at(3.0)));
+    }
+
+    #[test]
+    fn u_runs_from_x_over_y_and_v_from_the_north_pole_down() {
+        assert_eq!(sphere_uv(DVec3::X), Vec2::new(0.0, 0.5));
+        assert_eq!(sphere_uv(DVec3::Y), Vec2::new(0.25, 0.5));
+        assert_eq!(sphere_uv(DVec3::Z).y, 0.0);
+        assert_eq!(sphere_uv(-DVec3::Z).y, 1.0);
+        assert_eq!(sphere_uv(DVec3::new(1.0, -1e-30, 0.0)).x, 0.0, "just before the seam wraps to 0, not 1");
+    }
+}

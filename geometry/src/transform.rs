@@ -1,0 +1,141 @@
+use glam::{DMat3, DVec3, Vec3};
+
+/// An affine map: `linear * p + translation`, in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    /// Turns, scales, shears.
+    pub linear: DMat3,
+    /// Moves, after the linear part.
+    pub translation: DVec3,
+}
+
+impl Transform {
+    /// Leaves everything where it is.
+    pub const IDENTITY: Self = Self { linear: DMat3::IDENTITY, translation: DVec3::ZERO };
+
+    /// Moves by a vector.
+    pub fn translation(by: DVec3) -> Self {
+        Self { translation: by, ..Self::IDENTITY }
+    }
+
+    /// Scales along the axes.
+    pub fn scale(by: DVec3) -> Self {
+        Self { linear: DMat3::from_diagonal(by), ..Self::IDENTITY }
+    }
+
+    /// Turns about an axis through the origin, counter-clockwise seen from the axis' tip; the axis need not be a unit vector,
+    /// and a zero axis turns nothing.
+    ///
+    /// Whole quarter turns are exact. (Rodrigues 1840: `R = cos I + sin [a]x + (1 - cos) a a^T`.)
+    pub fn rotation(axis: DVec3, degrees: f64) -> Self {
+        let Some(axis) = axis.try_normalize() else { return Self::IDENTITY };
+        let (sin, cos) = sin_cos_degrees(degrees);
+        let cross = DMat3::from_cols(
+            DVec3::new(0.0, axis.z, -axis.y),
+            DVec3::new(-axis.z, 0.0, axis.x),
+            DVec3::new(axis.y, -axis.x, 0.0),
+        );
+        let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+        Self { linear: DMat3::IDENTITY * cos + cross * sin + along * (1.0 - cos), ..Self::IDENTITY }
+    }
+
+    /// First this one, then `next`.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        Self { linear: next.linear * self.linear, translation: next.linear * self.translation + next.translation }
+    }
+
+    /// The way back, if there is one: `None` when the map flattens space or holds a NaN or an infinity.
+    pub fn inverse(&self) -> Option<Self> {
+        let determinant = self.linear.determinant();
+        let inverse = self.linear.inverse();
+        if determinant == 0.0 || !inverse.is_finite() || !self.translation.is_finite() {
+            return None;
+        }
+        Some(Self { linear: inverse, translation: -(inverse * self.translation) })
+    }
+
+    /// Moves a point.
+    pub fn point(&self, point: DVec3) -> DVec3 {
+        self.linear * point + self.translation
+    }
+
+    /// Moves a direction: without the translation.
+    pub fn direction(&self, direction: DVec3) -> DVec3 {
+        self.linear * direction
+    }
+
+    /// The matrix that moves normals: the inverse transpose of the linear part, up to a positive factor.
+    ///
+    /// Taken from the cofactors, so that it exists for flattening maps too; the sign of the determinant keeps outward normals
+    /// outward under a mirror.
+    pub fn normals(&self) -> DMat3 {
+        let [x, y, z] = [self.linear.x_axis, self.linear.y_axis, self.linear.z_axis];
+        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+        if self.mirrors() { cofactors * -1.0 } else { cofactors }
+    }
+
+    /// Whether it turns left hands into right ones: counter-clockwise corners come out clockwise.
+    pub fn mirrors(&self) -> bool {
+        self.linear.determinant() < 0.0
+    }
+
+    /// The same factor along all axes and no turn? Then that factor, if positive.
+    pub fn uniform_scale(&self) -> Option<f64> {
+        let scale = self.linear.x_axis.x;
+        (scale > 0.0 && self.linear == DMat3::from_diagonal(DVec3::splat(scale))).then_some(scale)
+    }
+
+    /// Moves an `f32` point, rounding once.
+    pub fn point_f32(&self, point: Vec3) -> Vec3 {
+        self.point(point.as_dvec3()).as_vec3()
+    }
+}
+
+/// Sine and cosine of an angle in degrees, exact at whole quarter turns.
+fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    let quarters = libm::rint(degrees / 90.0);
+    let (sin, cos) = libm::sincos((degrees - 90.0 * quarters).to_radians());
+    match libm::fmod(quarters, 4.0) as i32 {
+        1 | -3 => (cos, -sin),
+        2 | -2 => (-sin, -cos),
+        3 | -1 => (-cos, sin),
+        _ => (sin, cos),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quarter_turn_about_z_takes_x_to_y_exactly() {
+        for (degrees, expected) in
+            [(90.0, DVec3::Y), (180.0, -DVec3::X), (270.0, -DVec3::Y), (-90.0, -DVec3::Y), (450.0, DVec3::Y)]
+        {
+            assert_eq!(Transform::rotation(DVec3::Z, degrees).direction(DVec3::X), expected, "{degrees} degrees");
+        }
+    }
+
+    #[test]
+    fn steps_apply_in_the_order_written() {
+        let moved_then_scaled = Transform::translation(DVec3::X).then(&Transform::scale(DVec3::splat(2.0)));
+        assert_eq!(moved_then_scaled.point(DVec3::ZERO), DVec3::new(2.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn normals_stay_perpendicular_under_a_shear_and_outward_under_a_mirror() {
+        // The plane x + y = 0 holds the direction (1, -1, 0).
+        let stretch = Transform::scale(DVec3::new(2.0, 1.0, 1.0));
+        let normal = stretch.normals() * DVec3::new(1.0, 1.0, 0.0);
+        assert_eq!(normal.dot(stretch.direction(DVec3::new(1.0, -1.0, 0.0))), 0.0);
+        let mirror = Transform::scale(DVec3::new(-1.0, 1.0, 1.0));
+        assert_eq!(mirror.normals() * DVec3::X, -DVec3::X);
+    }
+
+    #[test]
+    fn a_flattening_map_has_no_inverse() {
+        assert_eq!(Transform::scale(DVec3::new(1.0, 1.0, 0.0)).inverse(), None);
+        assert_eq!(Transform::scale(DVec3::splat(f64::NAN)).inverse(), None);
+    }
+}
