@@ -1,1 +1,34 @@
-//! stub
+//! Turns a hit into a colour: shaders, textures and lights.
+//!
+//! A [`Shader`] sees one [`ShadingPoint`] and asks it for light and for further rays; what stands behind (which accelerator, how
+//! many threads) it cannot know: it speaks to a [`World`].
+//!
+//! # Conventions
+//!
+//! * Colours are linear sRGB, not clamped; they become 8-bit sRGB only in the finished picture.
+//! * `n` is the unit shading normal on the viewer's side, `v` the unit vector to the viewer, `l` to a light.
+//! * Lighting is the report's: no division by pi, no inverse square; see [`Falloff`].
+
+mod bounces;
+mod color;
+mod glass;
+mod light;
+mod matt;
+mod mirror;
+pub mod optics;
+mod shader;
+mod shading_point;
+pub mod srgb;
+mod texture;
+mod world;
+
+pub use bounces::Bounces;
+pub use color::Color;
+pub use glass::{Absorption, Glass};
+pub use light::{Falloff, PointLight, SoftShadows, light_cluster, linear_falloff, logarithmic_falloff};
+pub use matt::{Constant, Phong};
+pub use mirror::Mirror;
+pub use shader::Shader;
+pub use shading_point::{Incident, ShadingPoint};
+pub use texture::{ImageTexture, Texture};
+pub use world::World;

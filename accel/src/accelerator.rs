@@ -1,0 +1,37 @@
+use geometry::{Hit, Interval, Ray};
+
+/// Answers rays about a set of primitives.
+pub trait Accelerator: Send + Sync {
+    /// The nearest hit strictly within the interval; of hits at one distance the lowest primitive's.
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit>;
+
+    /// Whether there is any hit strictly within the interval. May stop at the first one found.
+    fn any(&self, ray: &Ray, within: Interval) -> bool;
+
+    /// The nearest hit of each ray, anywhere in front of it; `hits` is as long as `rays`.
+    fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = self.closest(ray, Interval::FORWARD);
+        }
+    }
+
+    /// What was built. An accelerator that builds nothing has nothing to tell.
+    fn statistics(&self) -> Statistics {
+        Statistics::default()
+    }
+}
+
+/// What an accelerator was built of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Cells that are divided further.
+    pub branches: usize,
+    /// Cells that are not, and hold something.
+    pub leaves: usize,
+    /// Divisions from the root to the deepest leaf.
+    pub depth: usize,
+    /// Entries in the leaves: more than primitives, where one stands in several cells.
+    pub references: usize,
+    /// Memory beside the primitives themselves.
+    pub bytes: usize,
+}

@@ -1,0 +1,99 @@
+//! The report's octree: a cube around all primitives, halved along each axis into eight equal cubes, and these again.
+//!
+//! ```text
+//!   +-------+-------+      A primitive stands in every cell that its box touches. A ray visits the cells it passes, from near
+//!   |       | o |   |      to far, and stops at the first hit that lies before the next cell.
+//!   |       |---+---|
+//!   |       |   |/ o|      Only the three planes through a cell's centre are ever looked at: they cut the ray's way through
+//!   +-------+---/---+      the cell into at most four pieces, each in one eighth. (Whitted's and Glassner's octrees;
+//!   |   o   |  /|   |      Glassner: Space Subdivision for Fast Ray Tracing, IEEE CG&A 1984.)
+//!   |       | / |   |
+//!   +-------+/------+
+//!           ray
+//! ```
+
+mod build;
+mod traverse;
+
+use geometry::{Aabb, Hit, Interval, Primitives, Ray};
+use glam::Vec3;
+
+use crate::{Accelerator, Statistics, none::closest_of};
+
+/// Builds the octree.
+pub fn octree(primitives: Primitives) -> Box<dyn Accelerator> {
+    Box::new(build::build(primitives))
+}
+
+struct Octree {
+    primitives: Primitives,
+    /// Around all primitives: as tight as they are, not cubic.
+    bounds: Aabb,
+    root: Cell,
+    /// The root is node 0.
+    nodes: Vec<Node>,
+    /// The leaves' primitives, leaf by leaf, each in rising order.
+    references: Vec<u32>,
+    depth: usize,
+}
+
+/// A cell's cube. Computed on the way down, by the same steps when building and when traversing.
+#[derive(Clone, Copy)]
+struct Cell {
+    center: Vec3,
+    /// Half the edge.
+    half: f32,
+}
+
+enum Node {
+    /// Divided: its eighths are eight nodes in a row. Bits 0, 1, 2 of an eighth's place: the upper half in x, y, z.
+    Branch { first_child: u32 },
+    /// Not divided: its primitives are `references[first..first + count]`.
+    Leaf { first: u32, count: u32 },
+}
+
+impl Cell {
+    /// The cube around a box.
+    fn around(bounds: Aabb) -> Self {
+        Self { center: bounds.center(), half: 0.5 * bounds.extent().max_element() }
+    }
+
+    /// One of its eighths.
+    fn eighth(self, place: usize) -> Self {
+        let half = 0.5 * self.half;
+        let towards = |bit: usize| if place >> bit & 1 == 1 { half } else { -half };
+        Self { center: self.center + Vec3::new(towards(0), towards(1), towards(2)), half }
+    }
+}
+
+impl Accelerator for Octree {
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        self.traverse(ray, within, &mut |references| {
+            nearest = closest_of(&self.primitives, references.iter().copied(), ray, within, nearest);
+            nearest.map_or(within.max, |hit| hit.t)
+        });
+        nearest
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let mut found = false;
+        self.traverse(ray, within, &mut |references| {
+            found = references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
+            if found { f32::NEG_INFINITY } else { within.max }
+        });
+        found
+    }
+
+    fn statistics(&self) -> Statistics {
+        let branches = self.nodes.iter().filter(|node| matches!(node, Node::Branch { .. })).count();
+        let leaves = self.nodes.iter().filter(|node| matches!(node, Node::Leaf { count: 1.., .. })).count();
+        Statistics {
+            branches,
+            leaves,
+            depth: self.depth,
+            references: self.references.len(),
+            bytes: size_of_val(&self.nodes[..]) + size_of_val(&self.references[..]),
+        }
+    }
+}

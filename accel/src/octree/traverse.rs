@@ -1,0 +1,67 @@
+use geometry::{BoxProbe, Interval, Ray};
+use glam::Vec3;
+
+use super::{Cell, Node, Octree};
+
+impl Octree {
+    /// Shows `visit` the primitives of the leaves that the ray passes, from near to far. `visit` returns the `t` from which on
+    /// nothing is wanted any more; to stop, negative infinity.
+    pub(super) fn traverse(&self, ray: &Ray, within: Interval, visit: &mut impl FnMut(&[u32]) -> f32) {
+        let probe = BoxProbe::new(ray, self.bounds.magnitude());
+        if let Some(way) = probe.clip(self.bounds, within) {
+            let mut walk = Walk { octree: self, octant: probe.octant(), probe, limit: within.max, visit };
+            walk.pass(0, self.root, way);
+        }
+    }
+}
+
+/// A ray on its way.
+struct Walk<'a, V> {
+    octree: &'a Octree,
+    probe: BoxProbe,
+    /// The eighth that the ray would enter first if it passed all: crossing a plane flips its bit.
+    octant: usize,
+    limit: f32,
+    visit: &'a mut V,
+}
+
+impl<V: FnMut(&[u32]) -> f32> Walk<'_, V> {
+    /// The ray passes a node's cell on a part of its way.
+    fn pass(&mut self, index: u32, cell: Cell, way: Interval) {
+        match self.octree.nodes[index as usize] {
+            Node::Leaf { count: 0, .. } => {}
+            Node::Leaf { first, count } => {
+                let references = &self.octree.references[first as usize..(first + count) as usize];
+                self.limit = (self.visit)(references);
+            }
+            Node::Branch { first_child } => self.pass_eighths(first_child, cell, way),
+        }
+    }
+
+    /// The way through each eighth lies before or behind the crossing of each of the three planes; both reach over it by the
+    /// slack, so that nothing on a plane is lost. Eighths in the order of the planes crossed: none, one, two, three.
+    fn pass_eighths(&mut self, first_child: u32, cell: Cell, way: Interval) {
+        let crossing = self.probe.crossings(cell.center);
+        let (before, behind) = (crossing + self.probe.slack(), crossing - self.probe.slack());
+        for crossed in [0b000, 0b001, 0b010, 0b100, 0b011, 0b101, 0b110, 0b111] {
+            let part = cut(way, crossed, before, behind);
+            // A hit at just this distance may still have a lower number, hence not >=.
+            if part.min > part.max || part.min > self.limit {
+                continue;
+            }
+            let place = crossed ^ self.octant;
+            self.pass(first_child + place as u32, cell.eighth(place), part);
+        }
+    }
+}
+
+/// The part of a way behind the planes whose bits are set, and before the others. A NaN cuts nothing off.
+fn cut(way: Interval, crossed: usize, before: Vec3, behind: Vec3) -> Interval {
+    (0..3).fold(way, |part, axis| {
+        if crossed >> axis & 1 == 1 {
+            Interval { min: part.min.max(behind[axis]), ..part }
+        } else {
+            Interval { max: part.max.min(before[axis]), ..part }
+        }
+    })
+}

@@ -1,0 +1,97 @@
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use crate::{Color, Shader, ShadingPoint, Texture, optics::reflect};
+
+/// One colour over the whole surface, lit and shadowed, without a highlight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant {
+    /// The colour.
+    pub color: Color,
+}
+
+impl Shader for Constant {
+    /// `color x sum E_l (n.l)`; without lights `color x ambient`.
+    fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        let light = match at.ambient() {
+            Some(ambient) => Color::grey(ambient),
+            None => at.lit().map(|light| light.color * light.cosine).sum(),
+        };
+        self.color * light
+    }
+}
+
+/// A matt surface, of one colour or textured, with a highlight.
+#[derive(Clone)]
+pub struct Phong {
+    /// The matt part.
+    pub diffuse: Arc<dyn Texture>,
+    /// The colour of the highlight.
+    pub specular: Color,
+    /// How narrow the highlight is: the higher, the narrower; 0 or greater.
+    pub exponent: f32,
+}
+
+impl Shader for Phong {
+    /// `diffuse(u, v) x sum E_l (n.l) + specular x sum E_l max(0, r.v)^exponent`, r the light's direction mirrored at n; without
+    /// lights `diffuse(u, v) x ambient`. (Phong: Illumination for Computer Generated Pictures, CACM 1975.)
+    fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        if let Some(ambient) = at.ambient() {
+            return self.diffuse.color(at.uv) * ambient;
+        }
+        let shines = self.specular != Color::BLACK;
+        // r.v = (l mirrored at n).v = l.(v mirrored at n): one mirror for all lights.
+        let mirrored: Vec3 = if shines { reflect(at.direction, at.normal()) } else { Vec3::ZERO };
+        let mut matt = Color::BLACK;
+        let mut highlight = Color::BLACK;
+        for light in at.lit() {
+            matt += light.color * light.cosine;
+            if shines {
+                highlight += light.color * power(mirrored.dot(light.direction).max(0.0), self.exponent);
+            }
+        }
+        // No texture is looked up in the dark.
+        let matt = if matt == Color::BLACK { matt } else { self.diffuse.color(at.uv) * matt };
+        matt + self.specular * highlight
+    }
+}
+
+/// `base^exponent` for a base in 0..=1 (or a rounding above). Whole exponents, the usual ones, by squaring.
+fn power(base: f32, exponent: f32) -> f32 {
+    const LARGEST_BY_SQUARING: f32 = 65536.0;
+    if !(0.0..=LARGEST_BY_SQUARING).contains(&exponent) || exponent != exponent.trunc() {
+        return libm::powf(base, exponent);
+    }
+    let (mut result, mut square, mut rest) = (1.0_f64, f64::from(base), exponent as u32);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            result *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    result as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_powers_by_squaring_agree_with_the_power_function() {
+        for exponent in [0.0, 1.0, 2.0, 7.0, 50.0, 1000.0] {
+            for base in [0.0_f32, 0.3, 0.9, 0.999, 1.0] {
+                let expected = libm::pow(f64::from(base), f64::from(exponent)) as f32;
+                let error = (power(base, exponent) - expected).abs();
+                assert!(error <= expected * f32::EPSILON, "{base}^{exponent}");
+            }
+        }
+    }
+
+    #[test]
+    fn broken_powers_work_too() {
+        assert!((power(0.25, 0.5) - 0.5).abs() < 1e-7);
+        assert!((power(0.5, 1.5) - 0.353_553_4).abs() < 1e-7);
+    }
+}

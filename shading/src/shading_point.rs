@@ -1,0 +1,97 @@
+use geometry::{Ray, Surface};
+use glam::{Vec2, Vec3};
+
+use crate::{Bounces, Color, World, optics};
+
+/// A point that is to be coloured, and what can be asked there.
+pub struct ShadingPoint<'a> {
+    /// The scene around it.
+    pub world: &'a dyn World,
+    /// The unit direction in which the ray came.
+    pub direction: Vec3,
+    /// How far it came, in the scene's units.
+    pub distance: f32,
+    /// The surface as it is, whichever side is seen.
+    pub surface: Surface,
+    /// The texture coordinates: computed when asked for.
+    pub uv: &'a dyn Fn() -> Vec2,
+    /// How often the ray may still bounce.
+    pub bounces: Bounces,
+}
+
+/// The light that arrives from one light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incident {
+    /// The unit direction to the light.
+    pub direction: Vec3,
+    /// The cosine between it and the normal, greater than 0.
+    pub cosine: f32,
+    /// How much arrives.
+    pub color: Color,
+}
+
+impl ShadingPoint<'_> {
+    /// Whether the ray came from inside the body: it meets the back of the surface.
+    pub fn is_inside(&self) -> bool {
+        self.direction.dot(self.surface.geometric_normal) > 0.0
+    }
+
+    /// The unit shading normal on the viewer's side.
+    ///
+    /// Where a mesh's own normal leans away from its triangle's, that is on the triangle's viewer's side.
+    pub fn normal(&self) -> Vec3 {
+        let Surface { geometric_normal, shading_normal, .. } = self.surface;
+        let seen_from_front = !self.is_inside();
+        let on_the_front = shading_normal.dot(geometric_normal) >= 0.0;
+        if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
+    }
+
+    /// The lights that the point sees, with what arrives from each. Lights behind the surface are not seen, nor lights
+    /// behind something opaque.
+    pub fn lit(&self) -> impl Iterator<Item = Incident> {
+        let normal = self.normal();
+        let outward = if self.is_inside() { -self.surface.geometric_normal } else { self.surface.geometric_normal };
+        self.world.lights().iter().filter_map(move |light| {
+            let to_light = light.position - self.surface.position;
+            let distance = to_light.length();
+            let direction = to_light / distance;
+            let cosine = direction.dot(normal);
+            // Also false where the light stands just at the point.
+            if !(cosine > 0.0 && direction.dot(outward) > 0.0) {
+                return None;
+            }
+            let color = light.at_distance(distance);
+            // No shadow ray for light that is too far to count.
+            if color == Color::BLACK || self.world.blocked(&self.surface.leave_towards(light.position)) {
+                return None;
+            }
+            Some(Incident { direction, cosine, color })
+        })
+    }
+
+    /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.
+    pub fn ambient(&self) -> Option<f32> {
+        self.world.lights().is_empty().then(|| self.world.ambient())
+    }
+
+    /// The light that a mirror here shows; black when the ray has been reflected often enough.
+    pub fn reflected(&self) -> Color {
+        let Some(bounces) = self.bounces.reflected() else { return Color::BLACK };
+        self.world.trace(&self.mirrored_ray(), bounces)
+    }
+
+    /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
+    pub fn refracted(&self, direction: Vec3) -> Color {
+        let Some(bounces) = self.bounces.refracted() else { return Color::BLACK };
+        self.world.trace(&self.surface.leave(direction), bounces)
+    }
+
+    /// The mirrored ray, on the viewer's side: where the shading normal would send it through the surface, the geometric one
+    /// decides.
+    fn mirrored_ray(&self) -> Ray {
+        let geometric = self.surface.geometric_normal;
+        let mirrored = optics::reflect(self.direction, self.surface.shading_normal);
+        let stays = mirrored.dot(geometric) * self.direction.dot(geometric) < 0.0;
+        self.surface.leave(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
+    }
+}
