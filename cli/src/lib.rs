@@ -1,1 +1,47 @@
-//! stub
+//! The commands of the `girasol` program, as a library: a crate of one's own becomes a whole renderer with
+//!
+//! ```no_run
+//! fn main() -> std::process::ExitCode {
+//!     cli::run(render::Modules { accelerator: accel::none, ..render::Modules::default() })
+//! }
+//! ```
+//!
+//! This is the only crate that touches files, clocks and the terminal. Messages go to stderr; what was asked for goes to stdout
+//! or into a file. Exit codes: 0 all went well, 1 something failed, 2 the command line is wrong, 130 interrupted.
+
+mod args;
+mod commands;
+mod input;
+mod interrupt;
+mod options;
+mod output;
+mod progress;
+mod report;
+pub mod scenes;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use render::Modules;
+
+use args::{Arguments, Command};
+
+/// Runs the program with its command line and the given parts.
+pub fn run(modules: Modules) -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Render(arguments) => commands::render::run(&arguments, modules),
+        Command::Check(arguments) => commands::check::run(&arguments, modules),
+        Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
+        Command::Scenes(arguments) => commands::scenes::run(&arguments),
+        Command::Bench(arguments) => commands::bench::run(&arguments, modules),
+        Command::Completions(arguments) => commands::completions::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            report::failure(&failure);
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,1 +1,34 @@
-//! stub
+//! Puts a scene together from its parts and renders it, bucket by bucket.
+//!
+//! [`assemble`] makes a [`Scene`] of what a `.sc` file says, with the parts that [`Modules`] names; [`render`] makes a [`Film`] of it.
+//! This is the only crate that knows accelerators, shaders and the scene format together.
+//!
+//! # Conventions
+//!
+//! * The image is a function of the scene and the [`Settings`] without `threads` and `bucket`: a pixel's colour depends on its
+//!   own place alone, never on what was rendered before it or where.
+//! * Pixels are counted from the top left corner of the whole picture, also in a crop.
+//! * Colours are linear until [`Film::to_srgb_bytes`].
+
+mod assemble;
+mod buckets;
+mod camera;
+mod film;
+mod inventory;
+mod modules;
+mod renderer;
+mod sampler;
+mod scene;
+mod settings;
+mod tracer;
+
+pub use assemble::{Assembled, Lighting, assemble};
+pub use buckets::{Tile, bucket_order};
+pub use camera::{Camera, Frame, Pinhole, ThinLens};
+pub use film::{Film, RayCounts};
+pub use inventory::Inventory;
+pub use modules::{Modules, Shaders};
+pub use renderer::{FinishedBucket, render};
+pub use sampler::{Sample, Sampler, jitter};
+pub use scene::Scene;
+pub use settings::{Buckets, Crop, Settings};

@@ -1,0 +1,133 @@
+use std::fmt::Write;
+
+use accel::Statistics;
+use render::{Inventory, Modules, Settings};
+
+use crate::args::InspectArguments;
+use crate::input::{ReadyScene, SceneSource};
+use crate::options::order_name;
+use crate::output::print;
+use crate::report::{Failure, Show};
+
+pub(crate) fn run(arguments: &InspectArguments, modules: Modules) -> Result<(), Failure> {
+    let source = SceneSource::find(&arguments.scene.scene)?;
+    let parsed = source.parse(&modules);
+    let ready = source.assemble(&parsed, &arguments.options, modules, Show::BeforeRendering)?;
+    print(&describe(source.label(), &ready))
+}
+
+fn describe(label: &str, ready: &ReadyScene) -> String {
+    let ReadyScene { assembled, settings } = ready;
+    let inventory = assembled.scene.inventory(settings);
+    let mut text = format!("{label}\n");
+    let mut row = |name: &str, value: String| {
+        let _ = writeln!(text, "  {name:<14} {value}");
+    };
+    row("picture", picture(settings));
+    row("rays", rays(&inventory, settings));
+    row("primitives", format!("{} bounded, {} planes", thousands(inventory.bounded_primitives.into()), inventory.planes));
+    row("memory", format!("{} for the primitives", bytes(inventory.primitive_bytes)));
+    row("accelerator", tree(&inventory.accelerator));
+    if let Some(blockers) = &inventory.blockers {
+        row("for shadows", format!("{}, of what is not glass", tree(blockers)));
+    }
+    row("lights", inventory.lights.to_string());
+    row("shaders", inventory.shaders.to_string());
+    row("camera", if inventory.lens { "with a lens: depth of field" } else { "a pinhole: everything is sharp" }.to_owned());
+    for line in left_out(&inventory, settings, &assembled.unused_shaders) {
+        row("not needed", line);
+    }
+    text
+}
+
+fn picture(settings: &Settings) -> String {
+    let window = settings.window();
+    let buckets = settings.buckets;
+    format!(
+        "{} x {} pixels in buckets of {}, order {}{}",
+        window.width,
+        window.height,
+        buckets.size,
+        if buckets.reversed { "reverse-" } else { "" },
+        order_name(buckets.order)
+    )
+}
+
+fn rays(inventory: &Inventory, settings: &Settings) -> String {
+    let per_pixel = settings.rays_per_pixel();
+    let zones = 1 << settings.aa;
+    let camera = format!(
+        "{} from the camera: {per_pixel} a pixel ({zones} x {zones} zones, {} in each)",
+        thousands(inventory.camera_rays),
+        settings.samples
+    );
+    match inventory.lights {
+        0 => camera,
+        lights => format!("{camera}; up to {lights} to lights from each point seen"),
+    }
+}
+
+fn tree(statistics: &Statistics) -> String {
+    if *statistics == Statistics::default() {
+        return "none: every primitive is asked".to_owned();
+    }
+    format!(
+        "{} cells in {} levels, {} leaves with {} references, {}",
+        thousands((statistics.branches * 8 + 1) as u64),
+        statistics.depth + 1,
+        thousands(statistics.leaves as u64),
+        thousands(statistics.references as u64),
+        bytes(statistics.bytes)
+    )
+}
+
+/// What other scenes cost and this one does not.
+fn left_out(inventory: &Inventory, settings: &Settings, unused_shaders: &[String]) -> Vec<String> {
+    let mut lines = Vec::new();
+    if inventory.lights == 0 {
+        lines.push("shadow rays: there are no lights, so the ambient light shows the scene".to_owned());
+    } else if inventory.blockers.is_none() {
+        lines.push("a second accelerator for shadows: there is no glass".to_owned());
+    }
+    if !inventory.lens {
+        lines.push("samples on a lens: the camera is a pinhole".to_owned());
+    }
+    if settings.rays_per_pixel() == 1 {
+        lines.push("random numbers in the pixel: its one ray goes through the centre".to_owned());
+    }
+    if !unused_shaders.is_empty() {
+        lines.push(format!("shaders that no object uses: {}", unused_shaders.join(", ")));
+    }
+    lines
+}
+
+/// 1234567 as 1,234,567.
+fn thousands(number: u64) -> String {
+    let digits = number.to_string();
+    let mut grouped = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index) % 3 == 0 {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
+
+fn bytes(count: usize) -> String {
+    match count {
+        0..10_000 => format!("{count} bytes"),
+        10_000..10_000_000 => format!("{:.1} KiB", count as f64 / 1024.0),
+        _ => format!("{:.1} MiB", count as f64 / (1024.0 * 1024.0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_grouped_by_thousands() {
+        assert_eq!([0, 999, 1000, 1_234_567].map(thousands), ["0", "999", "1,000", "1,234,567"]);
+    }
+}

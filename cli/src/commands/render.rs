@@ -1,0 +1,81 @@
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use render::{Modules, render};
+
+use crate::args::RenderArguments;
+use crate::input::SceneSource;
+use crate::interrupt::Interrupt;
+use crate::output::{PictureFormat, write_file};
+use crate::progress::Progress;
+use crate::report::{self, Failure, Show};
+
+pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), Failure> {
+    let interrupt = Interrupt::listen()?;
+    let mut clock = Clock::start();
+    let source = SceneSource::find(&arguments.scene.scene)?;
+    let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", source.name)));
+    let format = PictureFormat::of(&output)?;
+    let parsed = source.parse(&arguments.options.modules(modules));
+    clock.lap("reading");
+
+    let show = if arguments.quiet { Show::Errors } else { Show::BeforeRendering };
+    let ready = source.assemble(&parsed, &arguments.options, modules, show)?;
+    clock.lap("assembling");
+
+    let progress = Progress::start(&source.name, arguments.quiet);
+    let film = render(&ready.assembled.scene, &ready.settings, &|bucket| {
+        progress.advance(bucket.finished, bucket.total);
+        ControlFlow::Continue(())
+    });
+    progress.finish();
+    let film = film.ok_or_else(|| Failure::new("the rendering was broken off"))?;
+    clock.lap("rendering");
+
+    let bytes = format.encode(&film)?;
+    interrupt.undivided(|| write_file(&output, &bytes))?;
+    clock.lap("writing");
+
+    if !arguments.quiet {
+        let (width, height) = (film.width, film.height);
+        report::line(format!("{}: {width} x {height} pixels in {}", output.display(), seconds(clock.total())));
+    }
+    if arguments.time {
+        let rendering = clock.laps[2].1.as_secs_f64();
+        for (step, time) in &clock.laps {
+            report::line(format!("{step:>12} {}", seconds(*time)));
+        }
+        let rays = film.rays;
+        report::line(format!(
+            "{:>12} {} camera, {} secondary, {} shadow: {:.2} million a second",
+            "rays", rays.camera, rays.secondary, rays.shadow, rays.total() as f64 / rendering / 1e6
+        ));
+    }
+    Ok(())
+}
+
+/// Which step took how long.
+struct Clock {
+    last: Instant,
+    laps: Vec<(&'static str, Duration)>,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self { last: Instant::now(), laps: Vec::new() }
+    }
+
+    fn lap(&mut self, step: &'static str) {
+        self.laps.push((step, self.last.elapsed()));
+        self.last = Instant::now();
+    }
+
+    fn total(&self) -> Duration {
+        self.laps.iter().map(|(_, time)| *time).sum()
+    }
+}
+
+fn seconds(time: Duration) -> String {
+    format!("{:.3} s", time.as_secs_f64())
+}

@@ -1,0 +1,156 @@
+//! Scenes from disk and from the program itself.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use render::{Assembled, Modules, Settings, assemble};
+use scene_format::{Diagnostic, FileError, Files, Parsed, Severity};
+use shading::SoftShadows;
+
+use crate::options::RenderOptions;
+use crate::report::{self, Failure, Show};
+use crate::scenes::{self, EmbeddedFiles, EmbeddedScene};
+
+/// The largest file that is read.
+const LARGEST_FILE: u64 = 1 << 30;
+
+/// A scene's text, and where it comes from.
+pub(crate) struct SceneSource {
+    /// What pictures of it are called.
+    pub(crate) name: String,
+    /// What messages call it.
+    label: String,
+    text: String,
+    files: Box<dyn Files>,
+    soft_shadows: Option<SoftShadows>,
+}
+
+/// A scene that can be rendered.
+pub(crate) struct ReadyScene {
+    pub(crate) assembled: Assembled,
+    pub(crate) settings: Settings,
+}
+
+impl SceneSource {
+    /// A built-in scene's, or a file's.
+    pub(crate) fn find(scene: &str) -> Result<Self, Failure> {
+        let path = Path::new(scene);
+        match scenes::find(scene) {
+            Some(embedded) if !path.exists() => Ok(Self::embedded(embedded)),
+            _ => Self::file(path),
+        }
+    }
+
+    pub(crate) fn embedded(scene: &EmbeddedScene) -> Self {
+        Self {
+            name: scene.name.to_owned(),
+            label: format!("{}.sc", scene.name),
+            text: scene.source().into_owned(),
+            files: Box::new(EmbeddedFiles),
+            soft_shadows: scene.soft_shadows.then(SoftShadows::default),
+        }
+    }
+
+    pub(crate) fn file(path: &Path) -> Result<Self, Failure> {
+        let bytes = read(path).map_err(|error| match error {
+            FileError::NotFound => no_such_scene(path),
+            FileError::Unreadable(reason) => Failure::of(format!("`{}` cannot be read", path.display()), reason),
+        })?;
+        let text = scene_format::decode(&bytes).map_err(|error| {
+            Failure::of(format!("`{}` is not a scene", path.display()), error).help("a .sc scene is a text file")
+        })?;
+        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(Self {
+            name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            label: path.display().to_string(),
+            text,
+            files: Box::new(DiskFiles { directory }),
+            soft_shadows: None,
+        })
+    }
+
+    /// Reads the text.
+    pub(crate) fn parse(&self, modules: &Modules) -> Parsed {
+        (modules.parse)(&self.label, &self.text, &*self.files)
+    }
+
+    /// Puts the scene together, and shows what there is to say about it.
+    pub(crate) fn assemble(
+        &self,
+        parsed: &Parsed,
+        options: &RenderOptions,
+        modules: Modules,
+        show: Show,
+    ) -> Result<ReadyScene, Failure> {
+        let result = assemble(&parsed.scene, &options.modules(modules), &options.lighting(self.soft_shadows), &*self.files);
+        let (assembled, of_assembling) = match result {
+            Ok(assembled) => {
+                let warnings = assembled.warnings.clone();
+                (Some(assembled), warnings)
+            }
+            Err(diagnostics) => (None, diagnostics),
+        };
+        let diagnostics = [&parsed.diagnostics[..], &of_assembling].concat();
+        report::diagnostics(&diagnostics, &parsed.sources, show);
+        match assembled {
+            Some(assembled) if !has_errors(&diagnostics) => {
+                let settings = options.settings(assembled.settings.clone())?;
+                Ok(ReadyScene { assembled, settings })
+            }
+            _ => Err(Failure::new(format!("`{}` cannot be rendered: {}", self.label, report::counted(&diagnostics)))),
+        }
+    }
+
+    /// What messages call it.
+    pub(crate) fn label(&self) -> &str {
+        &self.label
+    }
+}
+
+fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+}
+
+fn no_such_scene(path: &Path) -> Failure {
+    let wanted = path.to_string_lossy();
+    let failure = Failure::new(format!("there is no scene `{wanted}`"));
+    let names = scenes::all().iter().map(|scene| scene.name);
+    let nearest = names.map(|name| (strsim::damerau_levenshtein(name, &wanted), name)).min();
+    match nearest {
+        Some((distance, name)) if distance <= 1 + wanted.len() / 4 => {
+            failure.help(format!("did you mean the built-in scene `{name}`?"))
+        }
+        _ => failure.help("give the path of a .sc file, or the name of a built-in scene: `girasol scenes` lists them"),
+    }
+}
+
+/// Files beside a scene on disk.
+struct DiskFiles {
+    directory: PathBuf,
+}
+
+impl Files for DiskFiles {
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        read(&self.directory.join(path))
+    }
+}
+
+/// Reads a regular file of a size that fits in memory: no folder, no endless device.
+fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    let failed = |error: std::io::Error| match error.kind() {
+        ErrorKind::NotFound | ErrorKind::NotADirectory => FileError::NotFound,
+        _ => FileError::Unreadable(error.to_string()),
+    };
+    let metadata = fs::metadata(path).map_err(failed)?;
+    if metadata.is_dir() {
+        return Err(FileError::Unreadable("it is a folder".to_owned()));
+    }
+    if !metadata.is_file() {
+        return Err(FileError::Unreadable("it is not a regular file".to_owned()));
+    }
+    if metadata.len() > LARGEST_FILE {
+        return Err(FileError::Unreadable(format!("it is larger than {} MiB", LARGEST_FILE >> 20)));
+    }
+    fs::read(path).map_err(failed)
+}

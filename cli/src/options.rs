@@ -1,0 +1,249 @@
+//! The options that decide how a scene is rendered, for every command that renders.
+
+use std::num::NonZeroUsize;
+
+use clap::{Args, ValueEnum};
+use render::{Buckets, Crop, Lighting, Modules, Settings};
+use scene_format::scene_file::BucketOrder;
+use shading::SoftShadows;
+
+use crate::report::Failure;
+
+/// The largest picture, along each edge.
+const LARGEST_EDGE: u32 = 16_384;
+
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "How to render")]
+pub(crate) struct RenderOptions {
+    /// The picture's size, instead of the scene's own.
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<[u32; 2]>,
+    /// Cut each pixel into 2^N x 2^N zones (0 to 8), instead of what the scene's `aa` says.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=8))]
+    aa: Option<u32>,
+    /// Rays at random places of each zone (1 to 65536), instead of the scene's own.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    samples: Option<u32>,
+    /// How many threads to use. The picture does not depend on it. [default: all processors]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// The tiles that threads work on: their edge in pixels, and their order: hilbert, spiral, column, row, diagonal or random, each
+    /// also with `reverse-` before it. The picture does not depend on it.
+    #[arg(long, value_name = "SIZE[,ORDER]", value_parser = parse_buckets)]
+    bucket: Option<BucketOption>,
+    /// How to find what a ray meets first. The picture does not depend on it.
+    #[arg(long, value_enum)]
+    accelerator: Option<AcceleratorName>,
+    /// How light falls off with the distance d from a light of power P: `linear` is max(0, 1 - d/P), `log` is P / (ln(d + 1) + 1).
+    /// [default: linear]
+    #[arg(long, value_enum)]
+    falloff: Option<FalloffName>,
+    /// The share of a surface's colour that shows in a scene without lights. [default: 0.05]
+    #[arg(long, value_name = "SHARE", value_parser = parse_share)]
+    ambient: Option<f32>,
+    /// Make of each light a cube of N x N x N lights, SPACING apart, so that shadows get soft edges. N is 1 to 8; without a
+    /// value 3,0.1; `1` switches soft shadows off.
+    #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
+          value_parser = parse_soft_shadows)]
+    soft_shadows: Option<SoftShadows>,
+    /// Render only this part of the picture: its left column, top row, width and height in pixels.
+    #[arg(long, value_name = "X,Y,W,H", value_parser = parse_crop)]
+    crop: Option<Crop>,
+    /// Choose other random numbers.
+    #[arg(long, value_name = "N")]
+    seed: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AcceleratorName {
+    /// Ask every primitive.
+    None,
+    /// Cubes halved into eight, as in the report.
+    Octree,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FalloffName {
+    Linear,
+    Log,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct BucketOption {
+    size: u32,
+    order: Option<(BucketOrder, bool)>,
+}
+
+impl RenderOptions {
+    /// The parts to render with.
+    pub(crate) fn modules(&self, modules: Modules) -> Modules {
+        let accelerator = match self.accelerator {
+            None => modules.accelerator,
+            Some(AcceleratorName::None) => accel::none,
+            Some(AcceleratorName::Octree) => accel::octree,
+        };
+        let falloff = match self.falloff {
+            None => modules.falloff,
+            Some(FalloffName::Linear) => shading::linear_falloff,
+            Some(FalloffName::Log) => shading::logarithmic_falloff,
+        };
+        Modules { accelerator, falloff, ..modules }
+    }
+
+    /// The light to render with; `soft_shadows` is what the scene itself wants.
+    pub(crate) fn lighting(&self, soft_shadows: Option<SoftShadows>) -> Lighting {
+        let soft_shadows = self.soft_shadows.or(soft_shadows).filter(|soft| soft.along_edge > 1);
+        let default = Lighting::default();
+        Lighting { ambient: self.ambient.unwrap_or(default.ambient), soft_shadows }
+    }
+
+    /// The scene's own settings, with what the command line says instead.
+    pub(crate) fn settings(&self, scene: Settings) -> Result<Settings, Failure> {
+        let size = self.size.unwrap_or(scene.size);
+        if let Some(crop) = self.crop {
+            let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);
+            if !fits(crop.x, crop.width, size[0]) || !fits(crop.y, crop.height, size[1]) {
+                let Crop { x, y, width, height } = crop;
+                return Err(Failure::new(format!(
+                    "the crop {x},{y},{width},{height} reaches beyond the picture of {} x {} pixels",
+                    size[0], size[1]
+                ))
+                .help("--crop takes the left column, the top row, the width and the height, counted from 0"));
+            }
+        }
+        let buckets = match self.bucket {
+            None => scene.buckets,
+            Some(BucketOption { size, order: None }) => Buckets { size, ..scene.buckets },
+            Some(BucketOption { size, order: Some((order, reversed)) }) => Buckets { size, order, reversed },
+        };
+        Ok(Settings {
+            size,
+            crop: self.crop,
+            aa: self.aa.unwrap_or(scene.aa),
+            samples: self.samples.unwrap_or(scene.samples),
+            seed: self.seed.unwrap_or(scene.seed),
+            buckets,
+            threads: self.threads.or(scene.threads),
+        })
+    }
+
+    /// The same options with another accelerator.
+    pub(crate) fn with_accelerator(&self, accelerator: AcceleratorName) -> Self {
+        Self { accelerator: Some(accelerator), ..self.clone() }
+    }
+}
+
+/// The name of an order, as on the command line.
+pub(crate) fn order_name(order: BucketOrder) -> &'static str {
+    match order {
+        BucketOrder::Hilbert => "hilbert",
+        BucketOrder::Spiral => "spiral",
+        BucketOrder::Column => "column",
+        BucketOrder::Row => "row",
+        BucketOrder::Diagonal => "diagonal",
+        BucketOrder::Random => "random",
+    }
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let edge = |part: &str| part.trim().parse().ok().filter(|edge| (1..=LARGEST_EDGE).contains(edge));
+    let sizes = text.split_once(['x', 'X']).and_then(|(width, height)| Some([edge(width)?, edge(height)?]));
+    sizes.ok_or_else(|| format!("a size is a width and a height of 1 to {LARGEST_EDGE} pixels, as in 640x480"))
+}
+
+fn parse_crop(text: &str) -> Result<Crop, String> {
+    let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, width @ 1.., height @ 1..]) => Ok(Crop { x, y, width, height }),
+        _ => Err("a crop is a left column, a top row, a width and a height, as in 100,50,320,240".to_owned()),
+    }
+}
+
+fn parse_buckets(text: &str) -> Result<BucketOption, String> {
+    let (size, order) = match text.split_once(',') {
+        Some((size, order)) => (size, Some(order.trim())),
+        None => (text, None),
+    };
+    let size = size.trim().parse().ok().filter(|size| (1..=LARGEST_EDGE).contains(size));
+    let size = size.ok_or_else(|| format!("a bucket's edge is 1 to {LARGEST_EDGE} pixels, as in 32 or 32,spiral"))?;
+    let order = order.map(parse_order).transpose()?;
+    Ok(BucketOption { size, order })
+}
+
+fn parse_order(text: &str) -> Result<(BucketOrder, bool), String> {
+    use BucketOrder::{Column, Diagonal, Hilbert, Random, Row, Spiral};
+    let (name, reversed) = match text.strip_prefix("reverse-") {
+        Some(name) => (name, true),
+        None => (text, false),
+    };
+    let order = [Hilbert, Spiral, Column, Row, Diagonal, Random].into_iter().find(|&order| order_name(order) == name);
+    let order = order.ok_or("the orders are hilbert, spiral, column, row, diagonal and random, each also with `reverse-` before it")?;
+    Ok((order, reversed))
+}
+
+fn parse_soft_shadows(text: &str) -> Result<SoftShadows, String> {
+    let (along_edge, spacing) = match text.split_once(',') {
+        Some((along_edge, spacing)) => (along_edge, spacing.trim().parse().ok()),
+        None => (text, Some(SoftShadows::default().spacing)),
+    };
+    let along_edge = along_edge.trim().parse().ok().filter(|along_edge| (1..=8).contains(along_edge));
+    match (along_edge, spacing) {
+        (Some(along_edge), Some(spacing)) if spacing > 0.0 && f32::is_finite(spacing) => {
+            Ok(SoftShadows { along_edge, spacing })
+        }
+        _ => Err("soft shadows are 1 to 8 lights along an edge, and their distance, as in 3,0.1".to_owned()),
+    }
+}
+
+fn parse_share(text: &str) -> Result<f32, String> {
+    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "a share is a number from 0 to 1".to_owned())
+}
+
+/// A time limit.
+pub(crate) fn parse_positive_seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0 && seconds < 1e9);
+    seconds.ok_or_else(|| "a number of seconds greater than 0".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_crops_and_buckets_are_read() {
+        assert_eq!(parse_size("640x480"), Ok([640, 480]));
+        assert_eq!(parse_crop("1, 2,3,4"), Ok(Crop { x: 1, y: 2, width: 3, height: 4 }));
+        assert_eq!(parse_buckets("16"), Ok(BucketOption { size: 16, order: None }));
+        let spiral = BucketOption { size: 16, order: Some((BucketOrder::Spiral, true)) };
+        assert_eq!(parse_buckets("16,reverse-spiral"), Ok(spiral));
+        assert_eq!(parse_soft_shadows("5"), Ok(SoftShadows { along_edge: 5, spacing: 0.1 }));
+    }
+
+    #[test]
+    fn nonsense_is_turned_down() {
+        for size in ["", "640", "0x480", "640x-1", "99999x1", "4294967297x1"] {
+            assert!(parse_size(size).is_err(), "{size}");
+        }
+        for crop in ["", "1,2,3", "1,2,0,4", "1,2,3,4,5", "a,b,c,d"] {
+            assert!(parse_crop(crop).is_err(), "{crop}");
+        }
+        for bucket in ["0", "16,", "16,snail", "x", "16,reverse"] {
+            assert!(parse_buckets(bucket).is_err(), "{bucket}");
+        }
+        for soft in ["0", "9", "3,-1", "3,nan", "3,inf", ","] {
+            assert!(parse_soft_shadows(soft).is_err(), "{soft}");
+        }
+        for seconds in ["0", "-1", "nan", "inf", "x"] {
+            assert!(parse_positive_seconds(seconds).is_err(), "{seconds}");
+        }
+    }
+
+    #[test]
+    fn a_crop_outside_the_picture_is_an_error_even_where_the_sum_overflows() {
+        let crop = |x, width| RenderOptions { crop: Some(Crop { x, y: 0, width, height: 1 }), ..RenderOptions::default() };
+        assert!(crop(600, 40).settings(Settings::default()).is_ok());
+        assert!(crop(600, 41).settings(Settings::default()).is_err());
+        assert!(crop(u32::MAX, 2).settings(Settings::default()).is_err());
+    }
+}

@@ -1,0 +1,199 @@
+//! From what a file says to what can be rendered.
+
+mod camera;
+mod color;
+mod lights;
+mod objects;
+mod placement;
+mod shaders;
+
+use std::collections::BTreeMap;
+
+use accel::Accelerator;
+use geometry::{Plane, Primitives};
+use scene_format::{
+    Diagnostic, Files, SceneFile, SearchPath, Severity, Span, Spanned,
+    scene_file::{self, Shape, Statement},
+};
+use shading::{Bounces, Color, PointLight, SoftShadows};
+
+use crate::{Camera, Modules, Scene, Settings};
+use color::linear;
+use shaders::ShaderTable;
+
+/// How a scene is lit beyond what its file says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lighting {
+    /// The share of a surface's colour that shows in a scene without lights.
+    pub ambient: f32,
+    /// Makes many lights of each.
+    pub soft_shadows: Option<SoftShadows>,
+}
+
+impl Default for Lighting {
+    /// The report's dim ambient light, and hard shadows.
+    fn default() -> Self {
+        Self { ambient: 0.05, soft_shadows: None }
+    }
+}
+
+/// What came of putting a scene together.
+pub struct Assembled {
+    /// The scene.
+    pub scene: Scene,
+    /// How its own file wants it rendered.
+    pub settings: Settings,
+    /// What there is to say about it.
+    pub warnings: Vec<Diagnostic>,
+    /// The shaders that nothing uses, which were not made, nor their textures read.
+    pub unused_shaders: Vec<String>,
+}
+
+/// Puts a scene together: resolves names, applies transforms, reads textures and builds the accelerators, each with the module
+/// that `modules` names. What no object uses is not made.
+///
+/// # Errors
+/// All that keeps the scene from being rendered, and the warnings with it: no camera, a texture that cannot be read, a
+/// transform without inverse ...
+pub fn assemble(
+    file: &SceneFile,
+    modules: &Modules,
+    lighting: &Lighting,
+    files: &dyn Files,
+) -> Result<Assembled, Vec<Diagnostic>> {
+    let mut parts = Parts {
+        modules,
+        shaders: ShaderTable::new(modules.shaders, texture_path(file), files),
+        geometries: BTreeMap::new(),
+        diagnostics: Vec::new(),
+        camera: None,
+        bounded: Primitives::default(),
+        planes: Vec::new(),
+        shader_of_bounded: Vec::new(),
+        shader_of_planes: Vec::new(),
+        lights: Vec::new(),
+        background: Color::BLACK,
+        // Sunflow's default depths.
+        bounces: Bounces { reflections: 4, refractions: 4 },
+    };
+    parts.read(file);
+    parts.finish(lighting, Settings::of(file))
+}
+
+/// Where textures are looked for: beside each file that was read, and where `texturepath` says.
+fn texture_path(file: &SceneFile) -> SearchPath {
+    fn add(path: &mut SearchPath, name: &str, scene: &SceneFile) {
+        path.add_directory_of(name);
+        for statement in &scene.statements {
+            match &statement.value {
+                Statement::TexturePath(directory) => path.add(&directory.value, name),
+                Statement::Include { file: Some(included), .. } => add(path, &included.path, &included.scene),
+                _ => {}
+            }
+        }
+    }
+    let mut path = SearchPath::new();
+    add(&mut path, "", file);
+    path
+}
+
+/// A scene in the making.
+struct Parts<'a> {
+    modules: &'a Modules,
+    shaders: ShaderTable<'a>,
+    /// The shapes that instances can show again, by the names of their objects.
+    geometries: BTreeMap<&'a str, &'a Spanned<Shape>>,
+    diagnostics: Vec<Diagnostic>,
+    camera: Option<Box<dyn Camera>>,
+    bounded: Primitives,
+    planes: Vec<Plane>,
+    shader_of_bounded: Vec<u32>,
+    shader_of_planes: Vec<u32>,
+    lights: Vec<PointLight>,
+    background: Color,
+    bounces: Bounces,
+}
+
+impl<'a> Parts<'a> {
+    fn read(&mut self, file: &'a SceneFile) {
+        for statement in &file.statements {
+            match &statement.value {
+                Statement::Camera(camera) => self.set_camera(camera),
+                Statement::Shader(shader) => self.shaders.declare(shader),
+                Statement::Object(object) => self.add_object(object),
+                Statement::Instance(instance) => self.add_instance(instance),
+                Statement::Light(light) => self.lights.extend(lights::point_light(light, self.modules.falloff)),
+                Statement::Background(color) => self.background = linear(color),
+                Statement::TraceDepths(depths) => self.set_depths(*depths),
+                Statement::Include { file: Some(included), .. } => self.read(&included.scene),
+                Statement::Include { file: None, .. }
+                | Statement::Image(_)
+                | Statement::Bucket(_)
+                | Statement::TexturePath(_)
+                | Statement::IncludePath(_)
+                | Statement::Other(_) => {}
+            }
+        }
+    }
+
+    fn set_depths(&mut self, depths: scene_file::TraceDepths) {
+        self.bounces = Bounces {
+            reflections: depths.reflection.unwrap_or(self.bounces.reflections),
+            refractions: depths.refraction.unwrap_or(self.bounces.refractions),
+        };
+    }
+
+    fn set_camera(&mut self, camera: &scene_file::Camera) {
+        match camera::camera(camera) {
+            Ok(camera) => self.camera = Some(camera),
+            Err(diagnostic) => self.diagnostics.push(diagnostic),
+        }
+    }
+
+    fn error(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn finish(mut self, lighting: &Lighting, settings: Settings) -> Result<Assembled, Vec<Diagnostic>> {
+        self.diagnostics.append(&mut self.shaders.diagnostics);
+        let failed = self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+        if self.camera.is_none() && !failed {
+            self.diagnostics.push(
+                Diagnostic::error(Span::default(), "the scene has no camera")
+                    .label("nothing here says where it is seen from")
+                    .help(
+                        "add a camera: camera { type pinhole eye 0 -10 5 target 0 0 0 up 0 0 1 fov 60 aspect 1.333 }",
+                    ),
+            );
+        }
+        let failed = self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+        let Some(camera) = self.camera.filter(|_| !failed) else { return Err(self.diagnostics) };
+
+        let ShaderTable { made: shaders, .. } = &self.shaders;
+        let unused_shaders = self.shaders.unused();
+        let lights = match lighting.soft_shadows {
+            None => self.lights,
+            Some(soft) => self.lights.into_iter().flat_map(|light| (self.modules.soft_shadows)(light, soft)).collect(),
+        };
+        let casts_shadow = |number: u32| shaders[self.shader_of_bounded[number as usize] as usize].casts_shadow();
+        let all_cast_shadows = (0..self.bounded.len()).all(casts_shadow);
+        let blockers: Option<Box<dyn Accelerator>> = (!lights.is_empty() && !all_cast_shadows)
+            .then(|| (self.modules.accelerator)(self.bounded.subset(casts_shadow)));
+        let scene = Scene {
+            camera,
+            accelerator: (self.modules.accelerator)(self.bounded.clone()),
+            blockers,
+            bounded: self.bounded,
+            planes: self.planes,
+            shaders: self.shaders.made,
+            shader_of: [self.shader_of_bounded, self.shader_of_planes].concat(),
+            lights,
+            ambient: lighting.ambient,
+            background: self.background,
+            bounces: self.bounces,
+            sampler: self.modules.sampler,
+            bucket_order: self.modules.bucket_order,
+        };
+        Ok(Assembled { scene, settings, warnings: self.diagnostics, unused_shaders })
+    }
+}

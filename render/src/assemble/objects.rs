@@ -1,0 +1,249 @@
+use geometry::{Corners, Ellipsoid, Mesh, Plane, Sphere, Transform, unit_cube};
+use glam::{Vec2, Vec3};
+use scene_format::{
+    Diagnostic, Span, Spanned,
+    scene_file::{self, Instance, MeshForm, Object, PerVertex, PlaneOrientation, Shape, SphereForm, Triple},
+};
+
+use super::{Parts, placement::dvec3, placement::invertible};
+
+/// Coordinates beyond this make boxes and distances overflow.
+const LARGEST_COORDINATE: f32 = 1e15;
+
+impl<'a> Parts<'a> {
+    pub(super) fn add_object(&mut self, object: &'a Object) {
+        if let Some(name) = &object.name {
+            // As in Sunflow, the first of a name stays.
+            self.geometries.entry(&name.value).or_insert(&object.shape);
+        }
+        if object.noinstance || matches!(object.shape.value, Shape::Other(_)) {
+            return;
+        }
+        match invertible(object.transform.as_ref()) {
+            Ok(to_world) => self.add_shape(&object.shape, &object.shaders, &to_world),
+            Err(diagnostic) => self.error(diagnostic),
+        }
+    }
+
+    pub(super) fn add_instance(&mut self, instance: &'a Instance) {
+        let Some(&shape) = self.geometries.get(instance.geometry.value.as_str()) else {
+            let name = &instance.geometry;
+            self.error(
+                Diagnostic::warning(name.span, format!("no object `{}` comes before this instance of it", name.value))
+                    .label("the instance is left out"),
+            );
+            return;
+        };
+        // The centre and radius of a sphere belong to its own object: an instance starts from the unit sphere.
+        let unit_sphere = Spanned::new(Shape::Sphere(SphereForm::Unit), shape.span);
+        let shape = if matches!(shape.value, Shape::Sphere(_)) { &unit_sphere } else { shape };
+        match invertible(instance.transform.as_ref()) {
+            Ok(to_world) => self.add_shape(shape, &instance.shaders, &to_world),
+            Err(diagnostic) => self.error(diagnostic),
+        }
+    }
+
+    fn add_shape(&mut self, shape: &Spanned<Shape>, shaders: &[Spanned<String>], to_world: &Transform) {
+        let added = match &shape.value {
+            Shape::Sphere(form) => self.add_sphere(*form, shaders, to_world),
+            Shape::Plane { point, orientation } => self.add_plane(*point, *orientation, shaders, to_world, shape.span),
+            Shape::Box => self.add_mesh(placed(unit_cube(), to_world), None, shaders, shape.span),
+            Shape::Mesh(mesh) => {
+                self.add_mesh(placed(from_file(mesh), to_world), mesh.face_shaders.as_deref(), shaders, shape.span)
+            }
+            Shape::Other(_) => Ok(()),
+        };
+        match added {
+            Err(NotPlaced::TooFar) => self.error(
+                Diagnostic::error(shape.span, "this object reaches too far out")
+                    .label(format!("a coordinate beyond {LARGEST_COORDINATE:e}"))
+                    .help("scale the scene down, or look for a number that has too many digits"),
+            ),
+            Err(NotPlaced::Because(diagnostic)) => self.error(diagnostic),
+            Ok(()) => {}
+        }
+    }
+
+    fn add_sphere(
+        &mut self,
+        form: SphereForm,
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+    ) -> Result<(), NotPlaced> {
+        let place = match form {
+            SphereForm::Unit => *to_world,
+            SphereForm::CenterRadius { center, radius } => Transform::scale(glam::DVec3::splat(radius.into()))
+                .then(&Transform::translation(dvec3(center)))
+                .then(to_world),
+        };
+        // Turned or stretched, it is an ellipsoid.
+        match place.uniform_scale() {
+            Some(scale) => {
+                let sphere = Sphere { center: place.translation.as_vec3(), radius: scale as f32 };
+                check_reach([sphere.center, Vec3::splat(sphere.radius)])?;
+                self.bounded.add_sphere(sphere);
+            }
+            None => {
+                let ellipsoid = Ellipsoid::new(place).ok_or(NotPlaced::TooFar)?;
+                let bounds = geometry::Primitive::bounds(&ellipsoid);
+                check_reach([bounds.min, bounds.max])?;
+                self.bounded.add_ellipsoid(ellipsoid);
+            }
+        }
+        let shader = self.first_shader(shaders);
+        self.shader_of_bounded.push(shader);
+        Ok(())
+    }
+
+    fn add_plane(
+        &mut self,
+        point: Triple,
+        orientation: PlaneOrientation,
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+        span: Span,
+    ) -> Result<(), NotPlaced> {
+        let local = match orientation {
+            PlaneOrientation::Normal(normal) => Plane::from_normal(point.into(), normal.into()),
+            PlaneOrientation::Points([second, third]) => Plane::from_points(point.into(), second.into(), third.into()),
+        };
+        let plane = local.and_then(|plane| plane.transformed(to_world)).ok_or_else(|| {
+            NotPlaced::Because(match orientation {
+                PlaneOrientation::Normal(_) => Diagnostic::error(span, "this plane's normal is zero")
+                    .help("`n 0 0 1` is a floor where z points upwards"),
+                PlaneOrientation::Points(_) => {
+                    Diagnostic::error(span, "this plane's three points lie on one line").help("move one of them aside")
+                }
+            })
+        })?;
+        self.planes.push(plane);
+        let shader = self.first_shader(shaders);
+        self.shader_of_planes.push(shader);
+        Ok(())
+    }
+
+    fn add_mesh(
+        &mut self,
+        mesh: Mesh,
+        face_shaders: Option<&[u32]>,
+        shaders: &[Spanned<String>],
+        span: Span,
+    ) -> Result<(), NotPlaced> {
+        check_reach(mesh.positions.iter().copied())?;
+        self.warn_of_flat_triangles(&mesh, span);
+        let faces = mesh.triangles.len();
+        match face_shaders {
+            None => {
+                let shader = self.first_shader(shaders);
+                self.shader_of_bounded.extend(std::iter::repeat_n(shader, faces));
+            }
+            Some(indices) => {
+                let numbers: Vec<u32> = shaders.iter().map(|name| self.shaders.used(name)).collect();
+                let default = numbers.len() as u32;
+                if indices.iter().any(|&index| index >= default) {
+                    self.error(
+                        Diagnostic::warning(span, "some face shaders of this mesh are not in its list of shaders")
+                            .label(format!("the object has {default}"))
+                            .help("those triangles are rendered in the default colour"),
+                    );
+                }
+                for face in 0..faces {
+                    let number = indices.get(face).and_then(|&index| numbers.get(index as usize)).copied();
+                    let number = number.unwrap_or_else(|| self.shaders.default_shader());
+                    self.shader_of_bounded.push(number);
+                }
+            }
+        }
+        self.bounded.add_mesh(mesh);
+        Ok(())
+    }
+
+    fn warn_of_flat_triangles(&mut self, mesh: &Mesh, span: Span) {
+        let is_flat = |&&corners: &&[u32; 3]| {
+            let corners = corners.map(|corner| mesh.positions[corner as usize]);
+            geometry::Triangle { corners }.scaled_normal() == glam::DVec3::ZERO
+        };
+        let flat = mesh.triangles.iter().filter(is_flat).count();
+        if flat > 0 {
+            let triangles = mesh.triangles.len();
+            self.error(
+                Diagnostic::warning(span, format!("{flat} of this mesh's {triangles} triangles have no area"))
+                    .label("they are never seen")
+                    .help("two of their corners are the same point, or all three lie on one line"),
+            );
+        }
+    }
+
+    fn first_shader(&mut self, shaders: &[Spanned<String>]) -> u32 {
+        match shaders.first() {
+            Some(name) => self.shaders.used(name),
+            None => self.shaders.default_shader(),
+        }
+    }
+}
+
+/// Why a shape is not in the scene.
+enum NotPlaced {
+    TooFar,
+    Because(Diagnostic),
+}
+
+fn check_reach(points: impl IntoIterator<Item = Vec3>) -> Result<(), NotPlaced> {
+    let within = |point: Vec3| point.abs().cmple(Vec3::splat(LARGEST_COORDINATE)).all();
+    if points.into_iter().all(within) { Ok(()) } else { Err(NotPlaced::TooFar) }
+}
+
+/// A mesh as its file gives it.
+fn from_file(mesh: &scene_file::Mesh) -> Mesh {
+    let normals = match (&mesh.normals, mesh.form) {
+        (_, MeshForm::FlatLines) | (PerVertex::None, _) => Corners::None,
+        (PerVertex::Vertex(normals), _) => Corners::PerPoint(normals.iter().copied().map(Vec3::from).collect()),
+        (PerVertex::FaceVarying(normals), _) => {
+            Corners::PerTriangle(normals.iter().map(|corners| corners.map(Vec3::from)).collect())
+        }
+    };
+    let uvs = match &mesh.uvs {
+        PerVertex::None => Corners::None,
+        PerVertex::Vertex(uvs) => Corners::PerPoint(uvs.iter().copied().map(Vec2::from).collect()),
+        PerVertex::FaceVarying(uvs) => {
+            Corners::PerTriangle(uvs.iter().map(|corners| corners.map(Vec2::from)).collect())
+        }
+    };
+    let positions = mesh.points.iter().copied().map(Vec3::from).collect();
+    Mesh { positions, triangles: mesh.triangles.clone(), normals, uvs }
+}
+
+/// A mesh under a transform. Where that mirrors, each triangle is turned round, so that its front stays in front.
+fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
+    if *to_world == Transform::IDENTITY {
+        return mesh;
+    }
+    for position in &mut mesh.positions {
+        *position = to_world.point_f32(*position);
+    }
+    let matrix = to_world.normals();
+    let turned = |normal: Vec3| (matrix * normal.as_dvec3()).normalize_or_zero().as_vec3();
+    match &mut mesh.normals {
+        Corners::None => {}
+        Corners::PerPoint(normals) => normals.iter_mut().for_each(|normal| *normal = turned(*normal)),
+        Corners::PerTriangle(normals) => normals.iter_mut().for_each(|corners| *corners = corners.map(turned)),
+    }
+    if to_world.mirrors() {
+        turn_round(&mut mesh);
+    }
+    mesh
+}
+
+/// Swaps the second and third corner of each triangle, with all that belongs to them.
+fn turn_round(mesh: &mut Mesh) {
+    mesh.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+    if let Corners::PerTriangle(normals) = &mut mesh.normals {
+        normals.iter_mut().for_each(|corners| corners.swap(1, 2));
+    }
+    match &mut mesh.uvs {
+        Corners::PerTriangle(uvs) => uvs.iter_mut().for_each(|corners| corners.swap(1, 2)),
+        // The basis of the two edges, which have changed places.
+        uvs @ Corners::None => *uvs = Corners::PerTriangle(vec![[Vec2::ZERO, Vec2::Y, Vec2::X]; mesh.triangles.len()]),
+        Corners::PerPoint(_) => {}
+    }
+}

@@ -1,0 +1,191 @@
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use image::{ImageReader, Limits};
+use scene_format::{
+    Diagnostic, FileError, Files, SearchPath, Spanned,
+    scene_file::{self, Paint, ShaderKind},
+};
+use shading::{Absorption, Color, ImageTexture, Shader, Texture};
+
+use super::color::linear;
+use crate::Shaders;
+
+/// What a surface gets whose own shader is not there: light grey.
+const DEFAULT_COLOR: Color = Color::grey(0.6);
+
+/// The largest texture that is read, in pixels along an edge and in bytes of memory.
+const LARGEST_TEXTURE_EDGE: u32 = 16_384;
+const LARGEST_TEXTURE_BYTES: u64 = 1 << 30;
+
+/// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
+pub(super) struct ShaderTable<'a> {
+    constructors: Shaders,
+    texture_path: SearchPath,
+    files: &'a dyn Files,
+    declared: BTreeMap<&'a str, Declared<'a>>,
+    textures: BTreeMap<String, Arc<ImageTexture>>,
+    pub(super) made: Vec<Box<dyn Shader>>,
+    default: Option<u32>,
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+struct Declared<'a> {
+    kind: &'a ShaderKind,
+    made: Option<u32>,
+}
+
+impl<'a> ShaderTable<'a> {
+    pub(super) fn new(constructors: Shaders, texture_path: SearchPath, files: &'a dyn Files) -> Self {
+        Self {
+            constructors,
+            texture_path,
+            files,
+            declared: BTreeMap::new(),
+            textures: BTreeMap::new(),
+            made: Vec::new(),
+            default: None,
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// Takes note of a shader. Of two with one name the first holds, as in Sunflow.
+    pub(super) fn declare(&mut self, shader: &'a scene_file::Shader) {
+        self.declared.entry(&shader.name.value).or_insert(Declared { kind: &shader.kind, made: None });
+    }
+
+    /// The number of the shader with a name.
+    pub(super) fn used(&mut self, name: &Spanned<String>) -> u32 {
+        let Some(declared) = self.declared.get(name.value.as_str()) else {
+            let known: Vec<_> = self.declared.keys().map(|known| format!("`{known}`")).collect();
+            let help = match known.len() {
+                0 => "no shader is declared before this object".to_owned(),
+                1..=8 => format!("declared before it: {}", known.join(", ")),
+                count => format!("{count} shaders are declared before it, none of that name"),
+            };
+            self.diagnostics.push(
+                Diagnostic::warning(name.span, format!("no shader `{}` is declared before its use", name.value))
+                    .label("rendered in the default colour")
+                    .help(help),
+            );
+            return self.default_shader();
+        };
+        if let Some(made) = declared.made {
+            return made;
+        }
+        let shader = self.make(declared.kind);
+        let number = self.add(shader);
+        if let Some(declared) = self.declared.get_mut(name.value.as_str()) {
+            declared.made = Some(number);
+        }
+        number
+    }
+
+    /// The shader of objects that have none.
+    pub(super) fn default_shader(&mut self) -> u32 {
+        if let Some(number) = self.default {
+            return number;
+        }
+        let number = self.add((self.constructors.constant)(DEFAULT_COLOR));
+        self.default = Some(number);
+        number
+    }
+
+    /// The names of the shaders that nothing has used.
+    pub(super) fn unused(&self) -> Vec<String> {
+        let unused = self.declared.iter().filter(|(_, declared)| declared.made.is_none());
+        unused.map(|(name, _)| (*name).to_owned()).collect()
+    }
+
+    fn add(&mut self, shader: Box<dyn Shader>) -> u32 {
+        self.made.push(shader);
+        self.made.len() as u32 - 1
+    }
+
+    fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
+        match kind {
+            ShaderKind::Constant(color) => (self.constructors.constant)(linear(color)),
+            ShaderKind::Diffuse(diffuse) => self.matt(diffuse),
+            ShaderKind::Phong { diffuse, specular, exponent, .. } => {
+                (self.constructors.phong)(self.paint(diffuse), linear(specular), *exponent)
+            }
+            ShaderKind::Mirror(reflection) => (self.constructors.mirror)(linear(reflection)),
+            ShaderKind::Glass { eta, color, absorption } => {
+                (self.constructors.glass)(*eta, linear(color), absorbing(absorption))
+            }
+            ShaderKind::Shiny { diffuse, .. } | ShaderKind::Other { diffuse: Some(diffuse), .. } => self.matt(diffuse),
+            ShaderKind::Other { diffuse: None, .. } => (self.constructors.constant)(DEFAULT_COLOR),
+        }
+    }
+
+    /// Phong without a highlight.
+    fn matt(&mut self, diffuse: &Paint) -> Box<dyn Shader> {
+        (self.constructors.phong)(self.paint(diffuse), Color::BLACK, 1.0)
+    }
+
+    fn paint(&mut self, paint: &Paint) -> Arc<dyn Texture> {
+        match paint {
+            Paint::Color(color) => Arc::new(linear(color)),
+            Paint::Texture(name) => match self.texture(name) {
+                Ok(texture) => texture,
+                Err(diagnostic) => {
+                    self.diagnostics.push(diagnostic);
+                    Arc::new(DEFAULT_COLOR)
+                }
+            },
+        }
+    }
+
+    /// A texture from its file, read once.
+    fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<ImageTexture>, Diagnostic> {
+        let (path, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
+            FileError::NotFound => Diagnostic::error(name.span, format!("there is no texture `{}`", name.value))
+                .label("no such file")
+                .help(self.where_looked()),
+            FileError::Unreadable(reason) => {
+                Diagnostic::error(name.span, format!("the texture `{}` cannot be read", name.value)).label(reason)
+            }
+        })?;
+        if let Some(texture) = self.textures.get(&path) {
+            return Ok(Arc::clone(texture));
+        }
+        let texture = decode(&bytes).map_err(|reason| {
+            Diagnostic::error(name.span, format!("the texture `{}` is not a picture that can be read", name.value))
+                .label(reason)
+                .help("textures are PNG, JPG, GIF or BMP files")
+        })?;
+        let texture = Arc::new(texture);
+        self.textures.insert(path, Arc::clone(&texture));
+        Ok(texture)
+    }
+
+    fn where_looked(&self) -> String {
+        let named = |directory: &str| match directory {
+            "" => "the scene's own directory".to_owned(),
+            other => format!("`{other}`"),
+        };
+        let directories: Vec<_> = self.texture_path.directories().map(named).collect();
+        format!("looked in {}; `texturepath DIRECTORY` before the shader adds another", directories.join(", "))
+    }
+}
+
+fn absorbing(absorption: &scene_file::Absorption) -> Option<Absorption> {
+    let distance = absorption.distance.filter(|&distance| distance > 0.0)?;
+    // Sunflow's default: grey.
+    let color = absorption.color.as_ref().map_or(Color::grey(0.5), linear);
+    Some(Absorption { distance, color })
+}
+
+/// A picture from the bytes of a PNG, JPG, GIF or BMP file, whatever its name says.
+fn decode(bytes: &[u8]) -> Result<ImageTexture, String> {
+    let mut reader = ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(LARGEST_TEXTURE_EDGE);
+    limits.max_image_height = Some(LARGEST_TEXTURE_EDGE);
+    limits.max_alloc = Some(LARGEST_TEXTURE_BYTES);
+    reader.limits(limits);
+    let image = reader.decode().map_err(|error| error.to_string())?.into_rgb8();
+    let (width, height) = image.dimensions();
+    let texels = image.pixels().map(|pixel| pixel.0).collect();
+    ImageTexture::new(width as usize, height as usize, texels).ok_or_else(|| "the picture is empty".to_owned())
+}

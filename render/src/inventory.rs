@@ -1,0 +1,44 @@
+use accel::Statistics;
+
+use crate::{Scene, Settings};
+
+/// What a scene needs, and what it does not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inventory {
+    /// Spheres, ellipsoids and triangles.
+    pub bounded_primitives: u32,
+    /// Infinite planes.
+    pub planes: usize,
+    /// Memory of the bounded primitives, in bytes.
+    pub primitive_bytes: usize,
+    /// The accelerator of all bounded primitives.
+    pub accelerator: Statistics,
+    /// The one of the opaque primitives, where there must be one.
+    pub blockers: Option<Statistics>,
+    /// Shaders that some object uses.
+    pub shaders: usize,
+    /// Lights, after soft shadows have made many of each.
+    pub lights: usize,
+    /// Whether the camera has a lens.
+    pub lens: bool,
+    /// How many camera rays the settings ask for.
+    pub camera_rays: u64,
+}
+
+impl Scene {
+    /// What the scene needs for a picture with these settings.
+    pub fn inventory(&self, settings: &Settings) -> Inventory {
+        let window = settings.window();
+        Inventory {
+            bounded_primitives: self.bounded.len(),
+            planes: self.planes.len(),
+            primitive_bytes: self.bounded.bytes(),
+            accelerator: self.accelerator.statistics(),
+            blockers: self.blockers.as_ref().map(|blockers| blockers.statistics()),
+            shaders: self.shaders.len(),
+            lights: self.lights.len(),
+            lens: self.camera.has_lens(),
+            camera_rays: u64::from(window.width) * u64::from(window.height) * u64::from(settings.rays_per_pixel()),
+        }
+    }
+}

@@ -1,0 +1,83 @@
+use accel::Accelerator;
+use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, Surface};
+use glam::Vec2;
+use shading::{Bounces, Color, PointLight, Shader};
+
+use crate::{Camera, Sampler, Tile};
+
+/// Everything a picture needs, ready to be asked. Made by [`crate::assemble`].
+///
+/// Primitives are numbered from 0, the bounded ones first and the planes after them.
+pub struct Scene {
+    pub(crate) camera: Box<dyn Camera>,
+    pub(crate) bounded: Primitives,
+    /// Finds the nearest bounded primitive.
+    pub(crate) accelerator: Box<dyn Accelerator>,
+    /// Finds what blocks a light, where that is not every primitive: built only for scenes with lights and glass.
+    pub(crate) blockers: Option<Box<dyn Accelerator>>,
+    pub(crate) planes: Vec<Plane>,
+    pub(crate) shaders: Vec<Box<dyn Shader>>,
+    /// Each primitive's shader, planes included.
+    pub(crate) shader_of: Vec<u32>,
+    pub(crate) lights: Vec<PointLight>,
+    pub(crate) ambient: f32,
+    pub(crate) background: Color,
+    pub(crate) bounces: Bounces,
+    pub(crate) sampler: Sampler,
+    pub(crate) bucket_order: fn(scene_format::scene_file::BucketOrder, u32, u32) -> Vec<Tile>,
+}
+
+impl Scene {
+    /// The camera.
+    pub fn camera(&self) -> &dyn Camera {
+        &*self.camera
+    }
+
+    /// The nearest hit in front of a ray, planes included.
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        let mut nearest = self.accelerator.closest(ray, Interval::FORWARD);
+        for (number, plane) in self.numbered_planes() {
+            let within = Interval::FORWARD.up_to(nearest.map_or(f32::INFINITY, |hit| hit.t));
+            nearest = plane.intersect(ray, within).map(|met| met.on(number)).or(nearest);
+        }
+        nearest
+    }
+
+    /// Whether something that casts a shadow lies strictly between the ends of a segment.
+    pub fn blocked(&self, segment: &Ray) -> bool {
+        let blockers = self.blockers.as_deref().unwrap_or(&*self.accelerator);
+        let by_plane = |(number, plane): (u32, &Plane)| {
+            self.shader(number).casts_shadow() && plane.intersect(segment, Interval::SEGMENT).is_some()
+        };
+        self.numbered_planes().any(by_plane) || blockers.any(segment, Interval::SEGMENT)
+    }
+
+    /// The surface at a hit of the same ray.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        match self.plane(hit.primitive) {
+            Some(plane) => plane.surface(ray, &hit.intersection()),
+            None => self.bounded.surface(ray, hit),
+        }
+    }
+
+    /// The texture coordinates at a hit of the same ray.
+    pub fn uv(&self, ray: &Ray, hit: &Hit) -> Vec2 {
+        match self.plane(hit.primitive) {
+            Some(plane) => plane.uv(ray, &hit.intersection()),
+            None => self.bounded.uv(ray, hit),
+        }
+    }
+
+    /// A primitive's shader.
+    pub fn shader(&self, primitive: u32) -> &dyn Shader {
+        &*self.shaders[self.shader_of[primitive as usize] as usize]
+    }
+
+    fn plane(&self, primitive: u32) -> Option<&Plane> {
+        self.planes.get(primitive.checked_sub(self.bounded.len())? as usize)
+    }
+
+    fn numbered_planes(&self) -> impl Iterator<Item = (u32, &Plane)> {
+        (self.bounded.len()..).zip(&self.planes)
+    }
+}
