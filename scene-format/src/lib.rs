@@ -2,19 +2,30 @@
 //!
 //! [`parse`] turns text into a [`SceneFile`], plain data with a place in the source for all that a message may have to
 //! point at, and a list of [`Diagnostic`]s. It goes on after an error, so that one run shows all of them. [`print`] turns a
-//! `SceneFile` back into text. Nothing here touches a disk: includes come through the caller's [`Files`].
+//! `SceneFile` back into text. Nothing here touches a disk: includes come through the caller's [`Files`], and [`decode`]
+//! makes text of a file's bytes.
 //!
-//! Conventions: all numbers are 32-bit floats as in Sunflow; angles are in degrees, lengths in the scene's own unit; a
-//! [`Span`] counts bytes.
+//! Conventions: all numbers are 32-bit floats as in Sunflow, and finite; angles are in degrees, lengths in the scene's own
+//! unit; a [`Span`] counts bytes.
 
+mod decode;
 mod diagnostic;
 mod files;
+mod lexer;
+mod number;
+mod parser;
+mod print;
 pub mod scene_file;
+mod search_path;
 mod span;
 
+pub use decode::{NotText, decode};
 pub use diagnostic::{Diagnostic, Severity};
 pub use files::{FileError, Files, NoFiles};
+pub use parser::parse;
+pub use print::print;
 pub use scene_file::SceneFile;
+pub use search_path::SearchPath;
 pub use span::{FileId, LineColumn, Source, Sources, Span, Spanned};
 
 /// What came of reading a scene.

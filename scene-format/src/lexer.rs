@@ -1,0 +1,278 @@
+//! Cuts a source into words. Sunflow's rules decide (they are few), softened where real files need it.
+//!
+//! Words stand between white space; a `"` begins and ends a word that may hold spaces; `%` or `#` at the start of a word
+//! drops the rest of the line; the words `/*` and `*/` enclose a comment. Sunflow knows braces as words of their own only;
+//! here one that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces.
+
+use crate::span::{FileId, Span};
+
+/// One word of the source: a brace, a keyword, a number, a name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Token<'s> {
+    /// The word without its quotes.
+    pub(crate) text: &'s str,
+    /// Where it stands, quotes included.
+    pub(crate) span: Span,
+}
+
+impl Token<'_> {
+    pub(crate) fn is_open(&self) -> bool {
+        self.text == "{"
+    }
+
+    pub(crate) fn is_close(&self) -> bool {
+        self.text == "}"
+    }
+}
+
+/// The rest of a source that is still to be cut. A copy of it can run ahead.
+#[derive(Clone, Debug)]
+pub(crate) struct Lexer<'s> {
+    source: &'s str,
+    position: usize,
+    file: FileId,
+    unclosed_comment: Option<Span>,
+}
+
+impl<'s> Lexer<'s> {
+    /// Starts at the beginning, after a byte order mark if there is one. The source must be shorter than 4 GiB.
+    pub(crate) fn new(source: &'s str, file: FileId) -> Self {
+        let position = if source.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        Self { source, position, file, unclosed_comment: None }
+    }
+
+    /// The next word outside comments.
+    pub(crate) fn next(&mut self) -> Option<Token<'s>> {
+        loop {
+            let (token, quoted) = self.word()?;
+            if token.text != "/*" || quoted {
+                return Some(token);
+            }
+            if !self.skip_comment() {
+                self.unclosed_comment = Some(token.span);
+            }
+        }
+    }
+
+    /// Where a comment begins that nothing closes; known once the last word was read.
+    pub(crate) fn unclosed_comment(&self) -> Option<Span> {
+        self.unclosed_comment
+    }
+
+    /// How many bytes are left: an upper bound for the words that may still come.
+    pub(crate) fn remaining(&self) -> usize {
+        self.source.len().saturating_sub(self.position)
+    }
+
+    /// The empty place after the last byte.
+    pub(crate) fn end(&self) -> Span {
+        self.span(self.source.len(), self.source.len())
+    }
+
+    /// Goes to a byte of the source: the next word begins there or later.
+    pub(crate) fn seek(&mut self, position: u32) {
+        self.position = position as usize;
+    }
+
+    /// The rest of this line, uncut: for program text that stands in a scene.
+    pub(crate) fn line(&mut self) -> Option<&'s str> {
+        let rest = self.source.get(self.position..).filter(|rest| !rest.is_empty())?;
+        let line = rest.split_inclusive('\n').next()?;
+        self.position += line.len();
+        Some(line.trim_end_matches(['\n', '\r']))
+    }
+
+    /// The next word, comments not yet taken out; and whether it stood in quotes.
+    fn word(&mut self) -> Option<(Token<'s>, bool)> {
+        loop {
+            self.skip_blanks();
+            match self.byte(self.position)? {
+                b'%' | b'#' => self.position = self.find(self.position, ends_line),
+                b'"' => return Some((self.quoted(), true)),
+                _ => return Some((self.bare(), false)),
+            }
+        }
+    }
+
+    /// A word in quotes. It ends with its line at the latest; there are no escapes.
+    fn quoted(&mut self) -> Token<'s> {
+        let start = self.position;
+        let end = self.find(start + 1, |byte| byte == b'"' || ends_line(byte));
+        self.position = if self.byte(end) == Some(b'"') { end + 1 } else { end };
+        Token { text: self.text(start + 1, end), span: self.span(start, self.position) }
+    }
+
+    fn bare(&mut self) -> Token<'s> {
+        let start = self.position;
+        self.position = self.bare_end(start);
+        Token { text: self.text(start, self.position), span: self.span(start, self.position) }
+    }
+
+    /// The end of the bare word that begins at `start`, before a brace that is only glued to it.
+    fn bare_end(&self, start: usize) -> usize {
+        let brace_first = self.byte(start).is_some_and(is_brace);
+        // Decided before the word's end is looked for, so that a million braces in a row do not take their square in time.
+        if brace_first && self.byte(start + 1).is_none_or(is_brace) {
+            return start + 1;
+        }
+        let mut end = start;
+        while self.byte(end).is_some_and(|byte| byte != b'"') && self.blank(end) == 0 {
+            end += 1;
+        }
+        let word = self.text(start, end);
+        let braces = ['{', '}'];
+        if brace_first {
+            let rest = word.get(1..).unwrap_or_default();
+            // `{name}` is a name in Sunflow, and stays one; `{0.5}` never is.
+            let glued = !rest.contains(braces) || is_number(rest.trim_end_matches(braces));
+            if glued { start + 1 } else { end }
+        } else {
+            let stem = word.trim_end_matches(braces);
+            if stem.contains(braces) { end } else { start + stem.len() }
+        }
+    }
+
+    /// Skips to behind the `*/` that closes a comment; whether there is one.
+    fn skip_comment(&mut self) -> bool {
+        // Within a comment, words are cut as outside: a `*/` behind a `%` does not count.
+        while let Some((token, _)) = self.word() {
+            if token.text == "*/" {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn skip_blanks(&mut self) {
+        loop {
+            match self.blank(self.position) {
+                0 => return,
+                length => self.position += length,
+            }
+        }
+    }
+
+    /// The length in bytes of the white space character at a byte; 0 when there is none.
+    fn blank(&self, at: usize) -> usize {
+        match self.byte(at) {
+            Some(b'\t'..=b'\r' | b' ' | 0x1c..=0x1f) => 1,
+            Some(0x80..) => {
+                let character = self.source.get(at..).and_then(|rest| rest.chars().next());
+                character.filter(|character| character.is_whitespace()).map_or(0, char::len_utf8)
+            }
+            _ => 0,
+        }
+    }
+
+    fn find(&self, from: usize, stop: impl Fn(u8) -> bool) -> usize {
+        let rest = self.source.as_bytes().get(from..).unwrap_or_default();
+        rest.iter().position(|&byte| stop(byte)).map_or(self.source.len(), |offset| from + offset)
+    }
+
+    fn byte(&self, at: usize) -> Option<u8> {
+        self.source.as_bytes().get(at).copied()
+    }
+
+    fn text(&self, start: usize, end: usize) -> &'s str {
+        self.source.get(start..end).unwrap_or_default()
+    }
+
+    fn span(&self, start: usize, end: usize) -> Span {
+        Span { file: self.file, start: start as u32, end: end as u32 }
+    }
+}
+
+/// Whether a word can only be meant as a number. `inf` and `nan` are names as well, and do not count.
+pub(crate) fn is_number(word: &str) -> bool {
+    word.bytes().any(|byte| byte.is_ascii_digit()) && crate::number::float(word).is_ok()
+}
+
+fn is_brace(byte: u8) -> bool {
+    byte == b'{' || byte == b'}'
+}
+
+fn ends_line(byte: u8) -> bool {
+    byte == b'\n' || byte == b'\r'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(source: &str) -> Vec<&str> {
+        let mut lexer = Lexer::new(source, 0);
+        std::iter::from_fn(|| lexer.next()).map(|token| token.text).collect()
+    }
+
+    #[test]
+    fn words_stand_between_white_space_of_any_kind() {
+        assert_eq!(words("a b\tc\r\nd\u{b}e\u{3000}f"), ["a", "b", "c", "d", "e", "f"]);
+    }
+
+    #[test]
+    fn a_comment_begins_only_at_the_start_of_a_word() {
+        assert_eq!(words("a % b\nc#d # e\n%%f\ng"), ["a", "c#d", "g"]);
+    }
+
+    #[test]
+    fn a_block_comment_needs_words_of_its_own() {
+        assert_eq!(words("a /* b\nc */ d /*x*/ e"), ["a", "d", "/*x*/", "e"]);
+    }
+
+    #[test]
+    fn a_comment_end_behind_a_line_comment_does_not_count() {
+        assert_eq!(words("a /* % */ b\n */ c"), ["a", "c"]);
+    }
+
+    #[test]
+    fn a_comment_that_nothing_closes_takes_the_rest_and_is_told() {
+        let mut lexer = Lexer::new("a /* b", 0);
+        assert_eq!(lexer.next().map(|token| token.text), Some("a"));
+        assert_eq!(lexer.next(), None);
+        assert_eq!(lexer.unclosed_comment(), Some(Span { file: 0, start: 2, end: 4 }));
+    }
+
+    #[test]
+    fn quotes_keep_spaces_and_separate_words() {
+        assert_eq!(words("\"a b\"c d\"e\" \"#f\" \"\" \"/*\" g"), ["a b", "c", "d", "e", "#f", "", "/*", "g"]);
+    }
+
+    #[test]
+    fn a_quote_ends_with_its_line() {
+        assert_eq!(words("\"a b\r\nc"), ["a b", "c"]);
+    }
+
+    #[test]
+    fn braces_glued_to_words_are_cut_off() {
+        assert_eq!(
+            words("shader{ {\"a\" 1 2.5} {} {1} }} {x"),
+            ["shader", "{", "{", "a", "1", "2.5", "}", "{", "}", "{", "1", "}", "}", "}", "{", "x"]
+        );
+    }
+
+    #[test]
+    fn a_name_in_braces_stays_whole() {
+        assert_eq!(words("{374CF8A3-C899} a{b}"), ["{374CF8A3-C899}", "a{b}"]);
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_skipped_and_counted() {
+        let mut lexer = Lexer::new("\u{feff}image", 0);
+        let token = lexer.next().unwrap();
+        assert_eq!((token.text, token.span), ("image", Span { file: 0, start: 3, end: 8 }));
+    }
+
+    #[test]
+    fn a_span_holds_the_quotes() {
+        let mut lexer = Lexer::new(" \"a b\" ", 7);
+        assert_eq!(lexer.next().unwrap().span, Span { file: 7, start: 1, end: 6 });
+    }
+
+    #[test]
+    fn a_line_is_handed_out_uncut() {
+        let mut lexer = Lexer::new("x % \"y\r\nz", 0);
+        assert_eq!(lexer.line(), Some("x % \"y"));
+        assert_eq!(lexer.line(), Some("z"));
+        assert_eq!(lexer.line(), None);
+    }
+}

@@ -1,0 +1,146 @@
+//! Reads a scene: statements, one after the other, each by the file in `parser/` that is named after it.
+//!
+//! Every reading function either gives its value, or has reported an error and gives [`Reported`]; the reader then goes on
+//! at the next place that makes sense: the next field of the block, the end of the block, the next statement.
+
+mod block;
+mod camera;
+mod color;
+mod cursor;
+mod image;
+mod include;
+mod instance;
+mod keywords;
+mod light;
+mod mesh;
+mod names;
+mod object;
+mod other;
+mod report;
+mod shader;
+mod shape;
+mod transform;
+mod value;
+
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::files::Files;
+use crate::lexer::Token;
+use crate::scene_file::{SceneFile, Statement};
+use crate::span::{Source, Sources, Span, Spanned};
+use crate::{Parsed, SearchPath};
+use cursor::Cursor;
+use report::{Read, Reported};
+
+/// Reads a scene, and through `files` what it includes.
+///
+/// `name` is what messages call it; its last part is the scene's own path, which no include may lead back to. Everything
+/// that is wrong is told in one run. What could not be read is left out of the scene, so a scene with errors is not whole.
+pub fn parse(name: &str, source: &str, files: &dyn Files) -> Parsed {
+    let mut context = Context::default();
+    let path = name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    context.include_path.add_directory_of("");
+    context.open_files.push(path.clone());
+    context.sources.files.push(Source { name: name.to_owned(), text: source.to_owned(), included_at: None });
+    let scene = if u32::try_from(source.len()).is_err() {
+        context.report(Diagnostic::error(Span::default(), "the file is larger than 4 GiB"));
+        SceneFile::default()
+    } else {
+        let mut parser =
+            Parser { cursor: Cursor::new(source, 0), path: &path, files, context: &mut context, unbalanced: false };
+        parser.scene_file(Severity::Error)
+    };
+    let mut diagnostics = context.diagnostics;
+    diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
+    Parsed { scene, diagnostics, sources: context.sources }
+}
+
+/// What the scene file and all its includes share.
+#[derive(Default)]
+struct Context {
+    sources: Sources,
+    diagnostics: Vec<Diagnostic>,
+    /// How many of the diagnostics are errors: a block compares it before and after.
+    errors: usize,
+    names: names::Names,
+    include_path: SearchPath,
+    /// The paths of the files that are being read: each was included by the one before it.
+    open_files: Vec<String>,
+    /// The bytes of all includes so far.
+    included_bytes: usize,
+}
+
+/// Reads one file.
+struct Parser<'s> {
+    cursor: Cursor<'s>,
+    /// The path of this file.
+    path: &'s str,
+    files: &'s dyn Files,
+    context: &'s mut Context,
+    /// Whether an unknown block was found that nothing closes: the braces of this file cannot be relied on.
+    unbalanced: bool,
+}
+
+impl<'s> Parser<'s> {
+    /// Reads all statements; `if_empty` says how bad it is when there is none.
+    fn scene_file(&mut self, if_empty: Severity) -> SceneFile {
+        let mut scene = SceneFile::default();
+        let mut empty = true;
+        while let Some(keyword) = self.cursor.next() {
+            empty = false;
+            match self.statement(keyword) {
+                Ok(Some(statement)) => {
+                    scene.statements.push(Spanned::new(statement, keyword.span.to(self.cursor.previous())));
+                }
+                Ok(None) => {}
+                Err(Reported) => self.skip_statement(),
+            }
+        }
+        if let Some(comment) = self.cursor.unclosed_comment() {
+            let warning = Diagnostic::warning(comment, "this comment is never closed")
+                .label("takes the rest of the file")
+                .help("end it with `*/`, with white space on both sides");
+            self.context.report(warning);
+        }
+        if empty {
+            let message = "the file has no statement";
+            self.context.report(match if_empty {
+                Severity::Error => Diagnostic::error(self.cursor.here(), message),
+                Severity::Warning => Diagnostic::warning(self.cursor.here(), message),
+            });
+        }
+        scene
+    }
+
+    /// Reads one statement; `None` when there was nothing worth keeping.
+    fn statement(&mut self, keyword: Token<'s>) -> Read<Option<Statement>> {
+        let statement = match keyword.text {
+            "image" => Statement::Image(self.image(keyword)?),
+            "bucket" => Statement::Bucket(self.bucket(keyword)?),
+            "trace-depths" => Statement::TraceDepths(self.trace_depths(keyword)?),
+            "background" => Statement::Background(self.background(keyword)?),
+            "camera" => self.camera(keyword)?,
+            "shader" => Statement::Shader(self.shader(keyword)?),
+            "object" => Statement::Object(self.object(keyword)?),
+            "instance" => Statement::Instance(self.instance(keyword)?),
+            "light" => Statement::Light(self.light(keyword)?),
+            "texturepath" => Statement::TexturePath(self.string(keyword)?),
+            "includepath" => self.include_path(keyword)?,
+            "include" => self.include(keyword)?,
+            "{" | "}" => {
+                self.stray_brace(keyword);
+                return Ok(None);
+            }
+            _ => Statement::Other(self.other_statement(keyword)?),
+        };
+        Ok(Some(statement))
+    }
+
+    fn stray_brace(&mut self, brace: Token<'_>) {
+        let label = if brace.is_open() { "no statement stands before it" } else { "no block is open here" };
+        let warning = Diagnostic::warning(brace.span, format!("`{}` stands between statements", brace.text))
+            .label(label)
+            .help("remove it, or look for a brace too many or too few before it");
+        self.context.report(warning);
+        self.cursor.forget_depth();
+    }
+}

@@ -1,0 +1,179 @@
+use super::keywords::nearest;
+use super::report::{Read, quoted};
+use super::{Parser, Reported};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{Token, is_number};
+use crate::span::{Span, Spanned};
+
+/// A statement's block in braces that is being read.
+pub(super) struct Block<'s> {
+    /// The statement's keyword, which messages name the block by.
+    pub(super) keyword: Token<'s>,
+    /// The words that begin its fields, of whatever type the block is.
+    fields: &'static [&'static str],
+    /// The keyword and the opening brace.
+    opened: Span,
+    depth: u32,
+    errors_before: usize,
+}
+
+/// Whether a word was the beginning of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Field {
+    Known,
+    Unknown,
+}
+
+impl<'s> Parser<'s> {
+    /// Takes the brace that opens a statement's block.
+    pub(super) fn open(&mut self, keyword: Token<'s>, fields: &'static [&'static str]) -> Read<Block<'s>> {
+        let brace = self.expect("{", format_args!("`{}` needs a block after it", keyword.text))?;
+        let opened = keyword.span.to(brace.span);
+        Ok(Block { keyword, fields, opened, depth: self.cursor.depth(), errors_before: self.context.errors })
+    }
+
+    /// Reads fields in whatever order they come, up to the closing brace. `read` gets each field's first word, already
+    /// taken. An error in a field does not end the block, but makes the whole of it fail.
+    pub(super) fn fields(
+        &mut self,
+        block: &Block<'s>,
+        mut read: impl FnMut(&mut Self, Token<'s>) -> Read<Field>,
+    ) -> Read<()> {
+        let mut seen: Vec<Token<'_>> = Vec::new();
+        loop {
+            let Some(token) = self.cursor.peek().filter(|_| !self.cursor.at_statement()) else {
+                return self.unclosed(block);
+            };
+            self.cursor.next();
+            if token.is_close() {
+                return if self.context.errors == block.errors_before { Ok(()) } else { Err(Reported) };
+            }
+            match read(self, token) {
+                Ok(Field::Known) if block.fields.contains(&token.text) => {
+                    self.warn_of_repetition(&seen, token);
+                    seen.push(token);
+                }
+                Ok(Field::Known) => {}
+                Ok(Field::Unknown) => self.unknown_field(block, token),
+                Err(Reported) => self.skip_field(block),
+            }
+        }
+    }
+
+    /// A field that the block cannot do without: reports it when it is missing. `form` is how it is written.
+    pub(super) fn require<T>(&mut self, block: &Block<'_>, field: Option<T>, name: &str, form: &str) -> Read<T> {
+        if let Some(field) = field {
+            return Ok(field);
+        }
+        let error = Diagnostic::error(self.cursor.previous(), format!("the {} has no `{name}`", block.keyword.text))
+            .label(format!("expected `{form}` before this"))
+            .note(block.opened, "the block begins here");
+        self.fail(error)
+    }
+
+    /// The word after `type`, wherever that stands in the block. It decides how the other fields are read.
+    pub(super) fn find_type(&mut self, block: &Block<'_>, known: &[&str]) -> Read<Token<'s>> {
+        let mut ahead = self.cursor.clone();
+        while !ahead.at_statement() {
+            let Some(token) = ahead.next().filter(|_| ahead.depth() >= block.depth) else { break };
+            if token.text == "type" && ahead.depth() == block.depth {
+                match ahead.next() {
+                    Some(kind) if !kind.is_open() && !kind.is_close() => return Ok(kind),
+                    _ => break,
+                }
+            }
+        }
+        let error = Diagnostic::error(block.opened, format!("the {} has no `type`", block.keyword.text))
+            .label("expected `type <type>` in this block")
+            .help(format!("the types are {}", known.join(", ")));
+        self.fail(error)
+    }
+
+    /// Warns that a block's type is one that is not rendered.
+    pub(super) fn warn_of_type(&mut self, block: &Block<'_>, kind: Token<'_>, known: &[&str], effect: &str) {
+        let what = block.keyword.text;
+        let warning = Diagnostic::warning(kind.span, format!("{what}s of type {} are not rendered", quoted(kind)));
+        let warning = warning.label(effect);
+        self.context.report(match nearest(kind.text, known) {
+            Some(meant) => warning.help(format!("did you mean `{meant}`?")),
+            None => warning.help(format!("types that are rendered: {}", known.join(", "))),
+        });
+    }
+
+    /// After an error in a statement: goes on behind it.
+    pub(super) fn skip_statement(&mut self) {
+        while self.cursor.depth() > 0 {
+            if self.cursor.at_statement() || self.cursor.next().is_none() {
+                self.cursor.forget_depth();
+                return;
+            }
+        }
+        // A block that was closed is over; a statement without braces goes on up to the next one.
+        while !self.at_block_end() && !self.cursor.at_statement() && self.cursor.peek().is_some() {
+            self.cursor.next();
+        }
+    }
+
+    fn at_block_end(&self) -> bool {
+        self.cursor.depth() == 0 && self.cursor.previous_closes()
+    }
+
+    /// After an error in a field: goes on at the next one.
+    fn skip_field(&mut self, block: &Block<'_>) {
+        while let Some(token) = self.cursor.peek() {
+            let at_field = token.is_close() || block.fields.contains(&token.text);
+            if self.cursor.at_statement() || (self.cursor.depth() == block.depth && at_field) {
+                return;
+            }
+            self.cursor.next();
+        }
+    }
+
+    fn unknown_field(&mut self, block: &Block<'_>, token: Token<'_>) {
+        let what = block.keyword.text;
+        let diagnostic = if is_number(token.text) {
+            Diagnostic::warning(token.span, format!("the number {} belongs to no field", quoted(token)))
+                .label("skipped")
+                .help("remove it, or write the word before it that says what it is")
+        } else if block.fields.contains(&token.text) {
+            Diagnostic::warning(token.span, format!("{} means nothing in a {what} of this type", quoted(token)))
+                .label("skipped")
+        } else if let Some(meant) = nearest(token.text, block.fields) {
+            Diagnostic::error(token.span, format!("unknown word {} in this {what}", quoted(token)))
+                .help(format!("did you mean `{meant}`?"))
+        } else {
+            Diagnostic::warning(token.span, format!("unknown word {} in this {what}", quoted(token)))
+                .label("skipped, up to the next word that is known")
+        };
+        self.context.report(diagnostic.note(block.opened, "the block begins here"));
+        self.skip_field(block);
+    }
+
+    fn warn_of_repetition(&mut self, seen: &[Token<'_>], token: Token<'_>) {
+        if let Some(first) = seen.iter().find(|seen| seen.text == token.text) {
+            let warning = Diagnostic::warning(token.span, format!("`{}` is given twice", token.text))
+                .label("the last one holds")
+                .note(first.span, "first given here");
+            self.context.report(warning);
+        }
+    }
+
+    fn unclosed<T>(&mut self, block: &Block<'_>) -> Read<T> {
+        self.cursor.forget_depth();
+        let error = Diagnostic::error(self.cursor.here(), format!("the {} has no closing brace", block.keyword.text))
+            .label(format!("expected `}}`, found {}", self.found()))
+            .note(block.opened, "the block begins here")
+            .help("put a `}` at the end of the block");
+        self.fail(error)
+    }
+}
+
+/// Puts the words of a group into the form that `Other` keeps.
+pub(super) fn texts(tokens: &[Token<'_>]) -> Vec<String> {
+    tokens.iter().map(|token| token.text.to_owned()).collect()
+}
+
+/// A word with its place, to keep.
+pub(super) fn kept(token: Token<'_>) -> Spanned<String> {
+    Spanned::new(token.text.to_owned(), token.span)
+}

@@ -1,0 +1,108 @@
+use super::keywords::{BLOCKS, LINES};
+use crate::lexer::{Lexer, Token};
+use crate::span::{FileId, Span};
+
+/// Stands between two words of a source, sees the next one, and counts the braces that are open.
+///
+/// A copy of it can run ahead, or back.
+#[derive(Clone)]
+pub(super) struct Cursor<'s> {
+    lexer: Lexer<'s>,
+    ahead: Option<Token<'s>>,
+    previous: Span,
+    previous_closes: bool,
+    depth: u32,
+}
+
+impl<'s> Cursor<'s> {
+    pub(super) fn new(source: &'s str, file: FileId) -> Self {
+        let mut lexer = Lexer::new(source, file);
+        let ahead = lexer.next();
+        Self { lexer, ahead, previous: Span { file, start: 0, end: 0 }, previous_closes: false, depth: 0 }
+    }
+
+    /// The next word, not yet taken.
+    pub(super) fn peek(&self) -> Option<Token<'s>> {
+        self.ahead
+    }
+
+    /// Takes the next word.
+    pub(super) fn next(&mut self) -> Option<Token<'s>> {
+        let token = self.ahead?;
+        self.previous = token.span;
+        self.previous_closes = token.is_close();
+        self.depth = match token.text {
+            "{" => self.depth.saturating_add(1),
+            "}" => self.depth.saturating_sub(1),
+            _ => self.depth,
+        };
+        self.ahead = self.lexer.next();
+        Some(token)
+    }
+
+    /// How many braces are open before the next word.
+    pub(super) fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// Goes on as if every brace had been closed.
+    pub(super) fn forget_depth(&mut self) {
+        self.depth = 0;
+    }
+
+    /// Goes on as if the innermost brace had been closed.
+    pub(super) fn assume_closed(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
+    }
+
+    /// The place of the word last taken.
+    pub(super) fn previous(&self) -> Span {
+        self.previous
+    }
+
+    /// Whether the word last taken was a closing brace.
+    pub(super) fn previous_closes(&self) -> bool {
+        self.previous_closes
+    }
+
+    /// The place of the next word, or the end of the source.
+    pub(super) fn here(&self) -> Span {
+        self.ahead.map_or_else(|| self.lexer.end(), |token| token.span)
+    }
+
+    /// An upper bound for the words that may still come.
+    pub(super) fn remaining(&self) -> usize {
+        self.lexer.remaining() + self.ahead.map_or(0, |token| token.text.len())
+    }
+
+    pub(super) fn unclosed_comment(&self) -> Option<Span> {
+        self.lexer.unclosed_comment()
+    }
+
+    /// Whether a statement begins with the next word. No field of any block looks like one, so inside a block it means that
+    /// the block's closing brace is missing.
+    pub(super) fn at_statement(&self) -> bool {
+        self.ahead.is_some_and(|token| {
+            let opens = || self.lexer.clone().next().is_some_and(|next| next.is_open());
+            LINES.contains(&token.text) || (BLOCKS.contains(&token.text) && opens())
+        })
+    }
+
+    /// The lines after the word last taken, up to the one that holds nothing but `end`, which is taken too; `None` when
+    /// there is no such line.
+    pub(super) fn lines_until(&mut self, end: &str) -> Option<Vec<&'s str>> {
+        let mut lexer = self.lexer.clone();
+        lexer.seek(self.previous.end);
+        lexer.line(); // what is left of this line
+        let mut lines = Vec::new();
+        while let Some(line) = lexer.line() {
+            if line.trim() == end {
+                self.ahead = lexer.next();
+                self.lexer = lexer;
+                return Some(lines);
+            }
+            lines.push(line);
+        }
+        None
+    }
+}

@@ -1,0 +1,106 @@
+use super::Parser;
+use super::block::Field;
+use super::report::{Read, quoted};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::Token;
+use crate::scene_file::{Bucket, BucketOrder, Color, Image, TraceDepths};
+
+/// The longest edge of a picture in pixels, as in Sunflow.
+const LONGEST_EDGE: i64 = 16384;
+
+impl<'s> Parser<'s> {
+    pub(super) fn image(&mut self, keyword: Token<'s>) -> Read<Image> {
+        const FIELDS: &[&str] =
+            &["resolution", "sampler", "aa", "samples", "contrast", "filter", "jitter", "show-aa", "cache", "output"];
+        let block = self.open(keyword, FIELDS)?;
+        let mut image = Image::default();
+        self.fields(&block, |parser, field| {
+            match field.text {
+                "resolution" => image.resolution = Some([parser.edge(field)?, parser.edge(field)?]),
+                "sampler" => image.sampler = Some(parser.word(field)?.text.to_owned()),
+                "aa" => image.aa = Some([parser.exponent(field)?, parser.exponent(field)?]),
+                "samples" => image.samples = Some(parser.count(field)?),
+                "contrast" => image.contrast = Some(parser.float(field)?),
+                "filter" => image.filter = Some(parser.word(field)?.text.to_owned()),
+                "jitter" => image.jitter = Some(parser.boolean(field)?),
+                "show-aa" | "cache" | "output" => {
+                    parser.word(field)?;
+                    let warning = Diagnostic::warning(field.span, format!("`{}` does nothing", field.text));
+                    parser.context.report(warning.label("ignored"));
+                }
+                _ => return Ok(Field::Unknown),
+            }
+            Ok(Field::Known)
+        })?;
+        Ok(image)
+    }
+
+    fn edge(&mut self, field: Token<'_>) -> Read<u32> {
+        Ok(self.integer(field, 1..=LONGEST_EDGE)? as u32)
+    }
+
+    fn exponent(&mut self, field: Token<'_>) -> Read<i32> {
+        Ok(self.integer(field, i32::MIN.into()..=i32::MAX.into())? as i32)
+    }
+
+    /// `bucket SIZE ORDER`
+    pub(super) fn bucket(&mut self, keyword: Token<'s>) -> Read<Bucket> {
+        let size = self.integer(keyword, 1..=LONGEST_EDGE)? as u32;
+        let word = self.word(keyword)?;
+        let (mut name, mut reversed) = (word.text, false);
+        if let Some((first, second)) = name.split_once(' ').filter(|(first, _)| reverses(first)) {
+            (name, reversed) = (second.trim(), !first.is_empty());
+        } else if reverses(name) {
+            // The quotes around `reverse row` were forgotten.
+            (name, reversed) = (self.word(keyword)?.text, true);
+        }
+        let order = match name {
+            "hilbert" => BucketOrder::Hilbert,
+            "spiral" => BucketOrder::Spiral,
+            "column" => BucketOrder::Column,
+            "row" => BucketOrder::Row,
+            "diagonal" => BucketOrder::Diagonal,
+            "random" => BucketOrder::Random,
+            _ => {
+                let warning = Diagnostic::warning(word.span, format!("unknown bucket order {}", quoted(word)))
+                    .label("taken as `hilbert`")
+                    .help("the orders are hilbert, spiral, column, row, diagonal, random");
+                self.context.report(warning);
+                BucketOrder::Hilbert
+            }
+        };
+        Ok(Bucket { size, order, reversed })
+    }
+
+    pub(super) fn trace_depths(&mut self, keyword: Token<'s>) -> Read<TraceDepths> {
+        let block = self.open(keyword, &["diff", "refl", "refr"])?;
+        let mut depths = TraceDepths::default();
+        self.fields(&block, |parser, field| {
+            match field.text {
+                "diff" => depths.diffuse = Some(parser.count(field)?),
+                "refl" => depths.reflection = Some(parser.count(field)?),
+                "refr" => depths.refraction = Some(parser.count(field)?),
+                _ => return Ok(Field::Unknown),
+            }
+            Ok(Field::Known)
+        })?;
+        Ok(depths)
+    }
+
+    pub(super) fn background(&mut self, keyword: Token<'s>) -> Read<Color> {
+        let block = self.open(keyword, &["color"])?;
+        let mut color = None;
+        self.fields(&block, |parser, field| {
+            if field.text != "color" {
+                return Ok(Field::Unknown);
+            }
+            color = Some(parser.color(field)?);
+            Ok(Field::Known)
+        })?;
+        self.require(&block, color, "color", "color r g b")
+    }
+}
+
+fn reverses(word: &str) -> bool {
+    matches!(word, "reverse" | "inverse" | "invert")
+}

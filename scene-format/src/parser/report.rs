@@ -1,0 +1,56 @@
+use super::{Context, Parser};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::lexer::Token;
+
+/// What a reading function gives when there is nothing to give: the error is in the list already.
+#[derive(Debug)]
+pub(super) struct Reported;
+
+/// A value, or an error that has been reported.
+pub(super) type Read<T> = Result<T, Reported>;
+
+/// After so many diagnostics the others are counted only: nobody reads more, and a hostile file must not fill the memory.
+const MOST_DIAGNOSTICS: usize = 1000;
+
+impl Context {
+    pub(super) fn report(&mut self, diagnostic: Diagnostic) {
+        if diagnostic.severity == Severity::Error {
+            self.errors += 1;
+        }
+        if self.diagnostics.len() < MOST_DIAGNOSTICS {
+            self.diagnostics.push(diagnostic);
+        } else if self.diagnostics.len() == MOST_DIAGNOSTICS {
+            let message = format!("more than {MOST_DIAGNOSTICS} messages: the others are left out");
+            self.diagnostics.push(Diagnostic::error(diagnostic.span, message));
+        }
+    }
+}
+
+impl Parser<'_> {
+    /// Reports an error and gives up this value.
+    pub(super) fn fail<T>(&mut self, error: Diagnostic) -> Read<T> {
+        self.context.report(error);
+        Err(Reported)
+    }
+
+    /// Reports that something else should stand where the next word stands.
+    pub(super) fn fail_expected<T>(&mut self, message: impl Into<String>, expected: &str) -> Read<T> {
+        let label = format!("expected {expected}, found {}", self.found());
+        let error = Diagnostic::error(self.cursor.here(), message).label(label);
+        self.fail(error)
+    }
+
+    /// The next word, as messages show it.
+    pub(super) fn found(&self) -> String {
+        self.cursor.peek().map_or_else(|| "the end of the file".to_owned(), quoted)
+    }
+}
+
+/// A word as messages show it, cut when it is long.
+pub(super) fn quoted(token: Token<'_>) -> String {
+    const LONGEST: usize = 40;
+    match token.text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("`{}...`", token.text.get(..end).unwrap_or_default()),
+        None => format!("`{}`", token.text),
+    }
+}

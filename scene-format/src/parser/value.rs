@@ -1,0 +1,149 @@
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use super::report::Read;
+use super::{Parser, Reported};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{Token, is_number};
+use crate::number::{self, BadNumber, Number};
+use crate::span::Spanned;
+
+impl<'s> Parser<'s> {
+    /// A word that is no brace: a name, a type.
+    pub(super) fn word(&mut self, field: Token<'_>) -> Read<Token<'s>> {
+        match self.cursor.peek() {
+            Some(token) if !token.is_open() && !token.is_close() => {
+                self.cursor.next();
+                Ok(token)
+            }
+            _ => self.fail_expected(format!("`{}` needs a word after it", field.text), "a word"),
+        }
+    }
+
+    /// A word to keep, with its place.
+    pub(super) fn string(&mut self, field: Token<'_>) -> Read<Spanned<String>> {
+        let token = self.word(field)?;
+        Ok(Spanned::new(token.text.to_owned(), token.span))
+    }
+
+    /// A number of any kind.
+    pub(super) fn number<T: Number>(&mut self, field: Token<'_>) -> Read<T> {
+        match self.cursor.peek().map(|token| T::read(token.text)) {
+            Some(Ok(number)) => {
+                self.cursor.next();
+                Ok(number)
+            }
+            Some(Err(bad)) => self.bad_number(field, T::KIND, bad),
+            None => self.bad_number(field, T::KIND, BadNumber::NotANumber),
+        }
+    }
+
+    /// Reports that the next word is not the number that `field` needs.
+    pub(super) fn bad_number<T>(&mut self, field: Token<'_>, expected: &str, bad: BadNumber) -> Read<T> {
+        match bad {
+            BadNumber::NotFinite => {
+                let message = format!("{} is not a finite number", self.found());
+                self.fail_expected(message, &format!("{expected} for `{}`", field.text))
+            }
+            BadNumber::OutOfRange => {
+                let message = format!("{} is out of range for `{}`", self.found(), field.text);
+                self.fail_expected(message, expected)
+            }
+            BadNumber::NotANumber => self.fail_expected(format!("`{}` needs {expected}", field.text), expected),
+        }
+    }
+
+    pub(super) fn float(&mut self, field: Token<'_>) -> Read<f32> {
+        self.number(field)
+    }
+
+    /// So many floats.
+    pub(super) fn floats<const N: usize>(&mut self, field: Token<'_>) -> Read<[f32; N]> {
+        let mut numbers = [0.0; N];
+        for number in &mut numbers {
+            *number = self.float(field)?;
+        }
+        Ok(numbers)
+    }
+
+    /// A float that must fulfil a condition, which `condition` words: "greater than 0".
+    pub(super) fn float_that(&mut self, field: Token<'_>, condition: &str, holds: impl Fn(f32) -> bool) -> Read<f32> {
+        let found = self.found();
+        let number = self.float(field)?;
+        if holds(number) {
+            return Ok(number);
+        }
+        let message = format!("`{}` must be {condition}", field.text);
+        self.fail(Diagnostic::error(self.cursor.previous(), message).label(format!("found {found}")))
+    }
+
+    /// A whole number within a range.
+    pub(super) fn integer(&mut self, field: Token<'_>, range: RangeInclusive<i64>) -> Read<i64> {
+        let expected = if range.contains(&-1) { "a whole number" } else { "a whole number from 0 on" };
+        let found = self.found();
+        let Some(token) = self.cursor.peek() else {
+            return self.bad_number(field, expected, BadNumber::NotANumber);
+        };
+        let number = match number::integer(token.text) {
+            Ok(number) => number,
+            Err(bad) => return self.bad_number(field, expected, bad),
+        };
+        self.cursor.next();
+        if range.contains(&number) {
+            return Ok(number);
+        }
+        let message = format!("`{}` must be from {} to {}", field.text, range.start(), range.end());
+        self.fail(Diagnostic::error(token.span, message).label(format!("found {found}")))
+    }
+
+    /// A count that Sunflow takes as 0 when it is negative.
+    pub(super) fn count(&mut self, field: Token<'_>) -> Read<u32> {
+        let number = self.integer(field, i32::MIN.into()..=i32::MAX.into())?;
+        Ok(u32::try_from(number).unwrap_or(0))
+    }
+
+    /// `true` in any case; everything else is false, as in Sunflow, but not in silence.
+    pub(super) fn boolean(&mut self, field: Token<'_>) -> Read<bool> {
+        let token = self.word(field)?;
+        let value = token.text.eq_ignore_ascii_case("true");
+        if !value && !token.text.eq_ignore_ascii_case("false") {
+            let warning = Diagnostic::warning(token.span, format!("`{}` needs `true` or `false`", field.text));
+            self.context.report(warning.label("read as `false`"));
+        }
+        Ok(value)
+    }
+
+    /// Takes the next word when it is this one.
+    pub(super) fn take(&mut self, word: &str) -> Option<Token<'s>> {
+        let token = self.cursor.peek().filter(|token| token.text == word)?;
+        self.cursor.next();
+        Some(token)
+    }
+
+    /// Takes the next word, which must be this one.
+    pub(super) fn expect(&mut self, word: &str, message: impl fmt::Display) -> Read<Token<'s>> {
+        match self.take(word) {
+            Some(token) => Ok(token),
+            None => self.fail_expected(message.to_string(), &format!("`{word}`")),
+        }
+    }
+
+    /// Takes the brace that closes a group of values. When it is not there, the group counts as closed all the same: what
+    /// follows belongs to the block around it.
+    pub(super) fn close_group(&mut self, open: Token<'_>, group: &str) -> Read<()> {
+        if self.take("}").is_some() {
+            return Ok(());
+        }
+        let label = format!("expected `}}`, found {}", self.found());
+        let error = Diagnostic::error(self.cursor.here(), format!("{group} is not closed"))
+            .label(label)
+            .note(open.span, "opened here");
+        self.context.report(error);
+        self.cursor.assume_closed();
+        Err(Reported)
+    }
+
+    pub(super) fn at_number(&self) -> bool {
+        self.cursor.peek().is_some_and(|token| is_number(token.text))
+    }
+}

@@ -1,0 +1,93 @@
+use std::fmt::Display;
+
+use crate::scene_file::Color;
+
+/// Puts lines together, indented by the blocks that they stand in.
+#[derive(Default)]
+pub(super) struct Writer {
+    text: String,
+    indent: String,
+}
+
+impl Writer {
+    pub(super) fn into_text(self) -> String {
+        self.text
+    }
+
+    pub(super) fn line(&mut self, line: &str) {
+        self.text.push_str(&self.indent);
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    /// A field and its value; nothing for `None`.
+    pub(super) fn field(&mut self, name: &str, value: Option<impl Display>) {
+        if let Some(value) = value {
+            self.line(&format!("{name} {value}"));
+        }
+    }
+
+    /// A block in braces with what `content` writes.
+    pub(super) fn block(&mut self, keyword: &str, content: impl FnOnce(&mut Self)) {
+        self.line(&format!("{keyword} {{"));
+        self.indent.push_str("  ");
+        content(self);
+        self.indent.truncate(self.indent.len().saturating_sub(2));
+        self.line("}");
+    }
+
+    /// Words that were kept as they are, on one line; program text between `<code>` and `</code>` line by line.
+    pub(super) fn words(&mut self, first: &str, words: &[String]) {
+        let mut line = first.to_owned();
+        let mut words = words.iter();
+        while let Some(word) = words.next() {
+            line.push(' ');
+            line.push_str(&quote(word));
+            let code = words.as_slice();
+            if word == "<code>" && code.iter().any(|word| word == "</code>") {
+                self.line(&line);
+                line.clear();
+                for code in words.by_ref().take_while(|word| *word != "</code>") {
+                    self.text.push_str(code);
+                    self.text.push('\n');
+                }
+                self.line("</code>");
+            }
+        }
+        if !line.is_empty() {
+            self.line(&line);
+        }
+    }
+}
+
+/// A word as the reader takes it for one: in quotes unless it is made of letters, digits and a few safe signs. Words of the
+/// format itself stay bare.
+pub(super) fn quote(word: &str) -> String {
+    let safe = |character: char| character.is_ascii_alphanumeric() || "._-+:/@<>".contains(character);
+    if word == "{" || word == "}" || (!word.is_empty() && word.chars().all(safe)) {
+        word.to_owned()
+    } else {
+        // There are no escapes.
+        let word: String = word.chars().map(|c| if matches!(c, '"' | '\n' | '\r') { '\'' } else { c }).collect();
+        format!("\"{word}\"")
+    }
+}
+
+/// The shortest digits that give the same float again.
+pub(super) fn number(number: f32) -> String {
+    let size = number.abs();
+    if size == 0.0 || (1e-5..1e9).contains(&size) { number.to_string() } else { format!("{number:e}") }
+}
+
+pub(super) fn floats(numbers: &[f32]) -> String {
+    numbers.iter().map(|&value| number(value)).collect::<Vec<_>>().join(" ")
+}
+
+pub(super) fn color(color: Color) -> String {
+    match color {
+        Color::Bare(channels) => floats(&channels),
+        Color::SrgbNonlinear(channels) => format!("{{ \"sRGB nonlinear\" {} }}", floats(&channels)),
+        Color::SrgbLinear(channels) => format!("{{ \"sRGB linear\" {} }}", floats(&channels)),
+        Color::Xyz(channels) => format!("{{ XYZ {} }}", floats(&channels)),
+    }
+}
