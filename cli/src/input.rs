@@ -83,7 +83,8 @@ impl SceneSource {
         modules: Modules,
         show: Show,
     ) -> Result<ReadyScene, Failure> {
-        let result = assemble(&parsed.scene, &options.modules(modules), &options.lighting(self.soft_shadows), &*self.files);
+        let result =
+            assemble(&parsed.scene, &options.modules(modules), &options.lighting(self.soft_shadows), &*self.files);
         let (assembled, of_assembling) = match result {
             Ok(assembled) => {
                 let warnings = assembled.warnings.clone();

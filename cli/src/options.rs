@@ -154,7 +154,7 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
 fn parse_crop(text: &str) -> Result<Crop, String> {
     let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     match numbers.as_deref() {
-        Some(&[x, y, width @ 1.., height @ 1..]) => Ok(Crop { x, y, width, height }),
+        Some(&[x, y, width, height]) if width > 0 && height > 0 => Ok(Crop { x, y, width, height }),
         _ => Err("a crop is a left column, a top row, a width and a height, as in 100,50,320,240".to_owned()),
     }
 }
@@ -177,7 +177,9 @@ fn parse_order(text: &str) -> Result<(BucketOrder, bool), String> {
         None => (text, false),
     };
     let order = [Hilbert, Spiral, Column, Row, Diagonal, Random].into_iter().find(|&order| order_name(order) == name);
-    let order = order.ok_or("the orders are hilbert, spiral, column, row, diagonal and random, each also with `reverse-` before it")?;
+    let order = order.ok_or(
+        "the orders are hilbert, spiral, column, row, diagonal and random, each also with `reverse-` before it",
+    )?;
     Ok((order, reversed))
 }
 
@@ -241,7 +243,8 @@ mod tests {
 
     #[test]
     fn a_crop_outside_the_picture_is_an_error_even_where_the_sum_overflows() {
-        let crop = |x, width| RenderOptions { crop: Some(Crop { x, y: 0, width, height: 1 }), ..RenderOptions::default() };
+        let crop =
+            |x, width| RenderOptions { crop: Some(Crop { x, y: 0, width, height: 1 }), ..RenderOptions::default() };
         assert!(crop(600, 40).settings(Settings::default()).is_ok());
         assert!(crop(600, 41).settings(Settings::default()).is_err());
         assert!(crop(u32::MAX, 2).settings(Settings::default()).is_err());

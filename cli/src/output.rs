@@ -29,7 +29,9 @@ impl PictureFormat {
             Some("bmp") => Ok(Self::Bmp),
             Some("exr") => Ok(Self::OpenExr),
             Some(other) => Err(Failure::new(format!("`{}`: no pictures are written as .{other}", path.display()))),
-            None => Err(Failure::new(format!("`{}` has no ending that says what kind of picture it is", path.display()))),
+            None => {
+                Err(Failure::new(format!("`{}` has no ending that says what kind of picture it is", path.display())))
+            }
         }
         .map_err(|failure| failure.help("end the name in .png or .bmp (8-bit sRGB) or .exr (linear values)"))
     }
@@ -43,7 +45,9 @@ impl PictureFormat {
             Self::Png => {
                 codecs::png::PngEncoder::new(&mut bytes).write_image(&film.to_srgb_bytes(), width, height, rgb8)
             }
-            Self::Bmp => codecs::bmp::BmpEncoder::new(&mut bytes).write_image(&film.to_srgb_bytes(), width, height, rgb8),
+            Self::Bmp => {
+                codecs::bmp::BmpEncoder::new(&mut bytes).write_image(&film.to_srgb_bytes(), width, height, rgb8)
+            }
             Self::OpenExr => {
                 let channels = film.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
                 Rgb32FImage::from_raw(width, height, channels)

@@ -80,8 +80,10 @@ pub(crate) fn counted(diagnostics: &[Diagnostic]) -> String {
         1 => Some(format!("1 {name}")),
         _ => Some(format!("{count} {name}s")),
     };
-    let parts: Vec<_> =
-        [named(count(Severity::Error), "error"), named(count(Severity::Warning), "warning")].into_iter().flatten().collect();
+    let parts: Vec<_> = [named(count(Severity::Error), "error"), named(count(Severity::Warning), "warning")]
+        .into_iter()
+        .flatten()
+        .collect();
     if parts.is_empty() { "no errors or warnings".to_owned() } else { parts.join(" and ") }
 }
 
@@ -113,7 +115,12 @@ fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> 
 }
 
 /// The lines around a place, with the place underlined: only these lines, since a scene may have a million others.
-fn snippet<'a>(sources: &'a Sources, span: Span, label: &'a str, kind: AnnotationKind) -> Option<Snippet<'a, Annotation<'a>>> {
+fn snippet<'a>(
+    sources: &'a Sources,
+    span: Span,
+    label: &'a str,
+    kind: AnnotationKind,
+) -> Option<Snippet<'a, Annotation<'a>>> {
     let source = sources.files.get(span.file as usize)?;
     let text = &source.text;
     let lines = whole_lines(text, span.start as usize..(span.end as usize).max(span.start as usize))?;

@@ -25,7 +25,10 @@ fn describe(label: &str, ready: &ReadyScene) -> String {
     };
     row("picture", picture(settings));
     row("rays", rays(&inventory, settings));
-    row("primitives", format!("{} bounded, {} planes", thousands(inventory.bounded_primitives.into()), inventory.planes));
+    row(
+        "primitives",
+        format!("{} bounded, {} planes", thousands(inventory.bounded_primitives.into()), inventory.planes),
+    );
     row("memory", format!("{} for the primitives", bytes(inventory.primitive_bytes)));
     row("accelerator", tree(&inventory.accelerator));
     if let Some(blockers) = &inventory.blockers {
@@ -33,7 +36,10 @@ fn describe(label: &str, ready: &ReadyScene) -> String {
     }
     row("lights", inventory.lights.to_string());
     row("shaders", inventory.shaders.to_string());
-    row("camera", if inventory.lens { "with a lens: depth of field" } else { "a pinhole: everything is sharp" }.to_owned());
+    row(
+        "camera",
+        if inventory.lens { "with a lens: depth of field" } else { "a pinhole: everything is sharp" }.to_owned(),
+    );
     for line in left_out(&inventory, settings, &assembled.unused_shaders) {
         row("not needed", line);
     }

@@ -49,7 +49,11 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
         let rays = film.rays;
         report::line(format!(
             "{:>12} {} camera, {} secondary, {} shadow: {:.2} million a second",
-            "rays", rays.camera, rays.secondary, rays.shadow, rays.total() as f64 / rendering / 1e6
+            "rays",
+            rays.camera,
+            rays.secondary,
+            rays.shadow,
+            rays.total() as f64 / rendering / 1e6
         ));
     }
     Ok(())
