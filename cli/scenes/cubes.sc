@@ -9,8 +9,8 @@ image {
 
 camera {
   type pinhole
-  eye    -4.2 -13 5.5
-  target -0.45 0 -0.2
+  eye    -4.2 -12.8 4.2
+  target -0.45 0 0.15
   up     0 0 1
   fov    53
   aspect 1.333333

@@ -9,10 +9,10 @@ image {
 
 camera {
   type pinhole
-  eye    1.2 -11 5
-  target 0.1 0 0.95
+  eye    1 -11.2 4.1
+  target 0.05 0 0.85
   up     0 0 1
-  fov    48
+  fov    45
   aspect 1.333333
 }
 
@@ -75,7 +75,7 @@ shader {
 shader {
   name ground
   type phong
-  diff { "sRGB nonlinear" 0.75 0.74 0.7 }
+  diff { "sRGB nonlinear" 0.84 0.77 0.65 }
   spec { "sRGB nonlinear" 0 0 0 } 1
   samples 0
 }

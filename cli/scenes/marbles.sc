@@ -16,9 +16,9 @@ trace-depths {
 camera {
   type pinhole
   eye    3.6 -9.4 6.1
-  target 0.12 -0.3 0.15
+  target -0.2 -0.6 -0.1
   up     0 0 1
-  fov    46
+  fov    48
   aspect 1.333333
 }
 
@@ -27,8 +27,8 @@ background { color { "sRGB nonlinear" 0.78 0.85 0.94 } }
 light {
   type point
   color { "sRGB nonlinear" 1 0.96 0.88 }
-  power 80
-  p 5.5 -4 9
+  power 90
+  p 6 -8 9.5
 }
 
 light {
@@ -57,8 +57,8 @@ shader {
   type glass
   eta 1.5
   color { "sRGB nonlinear" 0.98 0.98 0.98 }
-  absorption.distance 1.3
-  absorption.color { "sRGB nonlinear" 0.98 0.6 0.1 }
+  absorption.distance 0.9
+  absorption.color { "sRGB nonlinear" 1 0.62 0.05 }
 }
 
 shader {
@@ -66,8 +66,8 @@ shader {
   type glass
   eta 1.5
   color { "sRGB nonlinear" 0.98 0.98 0.98 }
-  absorption.distance 1.6
-  absorption.color { "sRGB nonlinear" 0.15 0.8 0.65 }
+  absorption.distance 0.9
+  absorption.color { "sRGB nonlinear" 0.15 0.92 0.45 }
 }
 
 shader {

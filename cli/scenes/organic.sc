@@ -67,7 +67,7 @@ shader {
 object {
   shader ground
   type plane
-  p 0 0 -0.05
+  p 0 0 -0.03
   n 0 0 1
 }
 
@@ -75,7 +75,7 @@ object {
   shader eye
   type sphere
   name left
-  c 0.47 -1.02 2.56
+  c 0.44 -0.99 2.56
   r 0.13
 }
 
@@ -83,7 +83,7 @@ object {
   shader eye
   type sphere
   name right
-  c -0.47 -1.02 2.56
+  c -0.44 -0.99 2.56
   r 0.13
 }
 

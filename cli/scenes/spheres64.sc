@@ -10,7 +10,7 @@ image {
 camera {
   type pinhole
   eye    6.2 -9.4 5.2
-  target 0 0 -0.25
+  target 0 0 -0.4
   up     0 0 1
   fov    49
   aspect 1.333333

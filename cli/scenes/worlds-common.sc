@@ -1,7 +1,7 @@
 camera {
   type pinhole
   eye    6.4 -9.6 5.4
-  target 0 0 -0.25
+  target 0 0 -0.4
   up     0 0 1
   fov    50
   aspect 1.333333

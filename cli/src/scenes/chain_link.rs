@@ -43,7 +43,7 @@ pub(super) fn scene() -> String {
 /// ```
 fn center_line(wire: u32) -> Vec<DVec3> {
     let middle = SPACING * (f64::from(wire) - 0.5 * f64::from(WIRES - 1));
-    let raised = if wire % 2 == 0 { 0.0 } else { 0.5 * PITCH };
+    let raised = if wire.is_multiple_of(2) { 0.0 } else { 0.5 * PITCH };
     let mut points = Vec::new();
     for bend in 0..2 * TURNS {
         let at_bend = PI * (f64::from(bend) + 0.5);

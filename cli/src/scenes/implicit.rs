@@ -75,7 +75,7 @@ impl Marching {
     fn cut(&mut self, a: Corner, b: Corner) -> u32 {
         let (a, b) = if a.id < b.id { (a, b) } else { (b, a) };
         *self.on_edge.entry((a.id, b.id)).or_insert_with(|| {
-            let share = (a.value / (a.value - b.value)).clamp(0.1, 0.9);
+            let share = (a.value / (a.value - b.value)).clamp(0.03, 0.97);
             self.mesh.vertex(a.place + (b.place - a.place) * share, DVec3::ZERO)
         })
     }

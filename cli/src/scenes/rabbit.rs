@@ -24,13 +24,15 @@ fn rabbit(at: DVec3) -> f64 {
         let at = DVec3::new(at.x * side, at.y, at.z);
         join(ellipsoid(at, [0.74, 0.42, 0.68], [0.4, 0.72, 0.68], 0.0), 0.16);
         join(limb(at, [0.72, 0.2, 0.17], [0.78, -0.85, 0.15], [0.24, 0.2]), 0.14);
-        join(limb(at, [0.42, -0.62, 1.25], [0.36, -0.98, 0.2], [0.24, 0.17]), 0.14);
-        join(limb(at, [0.36, -0.98, 0.17], [0.37, -1.15, 0.15], [0.17, 0.17]), 0.1);
+        join(limb(at, [0.42, -0.62, 1.25], [0.36, -0.98, 0.15], [0.24, 0.17]), 0.22);
+        join(limb(at, [0.36, -0.98, 0.14], [0.37, -1.15, 0.13], [0.17, 0.17]), 0.1);
         join(ellipsoid(at, [0.24, -1.0, 2.14], [0.27, 0.26, 0.22], 0.0), 0.14);
-        // One ear stands, the other one leans.
-        let (tip, lean) = if side > 0.0 { ([0.5, -0.2, 4.1], 0.02) } else { ([0.86, -0.28, 3.92], 0.06) };
-        let ear = limb(at, [0.27, -0.42, 2.75], tip, [0.15, 0.21]);
-        let hollow = limb(at, [0.31, -0.66 - lean, 3.1], [tip[0] * 1.0, tip[1] - 0.22, tip[2] - 0.1], [0.1, 0.13]);
+        // One ear stands, the other one leans; both are hollow in front.
+        let root = DVec3::new(0.27, -0.42, 2.75);
+        let tip = if side > 0.0 { DVec3::new(0.5, -0.2, 4.1) } else { DVec3::new(0.86, -0.28, 3.92) };
+        let ear = limb(at, root, tip, [0.15, 0.21]);
+        let in_front = |share: f64, away: f64| root + (tip - root) * share - DVec3::Y * away;
+        let hollow = limb(at, in_front(0.3, 0.22), in_front(0.85, 0.26), [0.1, 0.13]);
         join(-smooth_minimum(-ear, hollow, 0.08), 0.14);
     }
     distance
@@ -47,8 +49,9 @@ fn ellipsoid(at: DVec3, center: [f64; 3], radii: [f64; 3], lean: f64) -> f64 {
 }
 
 /// A rod with round ends, whose radius changes evenly from one end to the other.
-fn limb(at: DVec3, from: [f64; 3], to: [f64; 3], radii: [f64; 2]) -> f64 {
-    let (from, along) = (DVec3::from(from), DVec3::from(to) - DVec3::from(from));
+fn limb(at: DVec3, from: impl Into<DVec3>, to: impl Into<DVec3>, radii: [f64; 2]) -> f64 {
+    let from = from.into();
+    let along = to.into() - from;
     let share = ((at - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
     (at - from - along * share).length() - (radii[0] + (radii[1] - radii[0]) * share)
 }

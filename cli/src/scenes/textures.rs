@@ -121,8 +121,8 @@ fn wood(uv: DVec2) -> DVec3 {
     let rings = 0.5 + 0.5 * libm::sin(warped * 7.0);
     let fibre = fractal(DVec3::new(uv.x * 6.0, uv.y * 190.0, plank), 4);
     let tone = 0.1 * (f64::from(hash(plank as u32, 3, 5) % 1000) / 1000.0 - 0.5);
-    let timber = mix(rgb(0xa9713f), rgb(0x6f4223), rings * 0.75) + (0.1 * fibre + tone);
-    mix(timber, rgb(0x2e1a0d), step(0.482, 0.494, (within - 0.5).abs()))
+    let timber = mix(rgb(0xd3a066), rgb(0xa06c3b), rings * 0.75) + (0.1 * fibre + tone);
+    mix(timber, rgb(0x4a2d17), step(0.482, 0.494, (within - 0.5).abs()))
 }
 
 /// The point of the unit sphere that a texture's (u, v) falls on, north up.

@@ -27,16 +27,15 @@ pub(super) fn scene() -> String {
 /// Legs, rings, crossed braces, the pipe in the middle, the railing and a ladder.
 fn frame() -> Mesh {
     let mut mesh = Mesh::default();
-    let leg = |corner: u32, level: usize| {
-        on_circle(corner % LEGS, LEGS) * (2.1 - 0.1 * LEVELS[level]) + DVec3::Z * LEVELS[level]
-    };
+    let leg = |corner: u32, level: f64| on_circle(corner % LEGS, LEGS) * (2.1 - 0.1 * level) + DVec3::Z * level;
     for corner in 0..LEGS {
-        mesh.rod(leg(corner, 0), leg(corner, LEVELS.len() - 1), 0.075, SIDES);
-        for level in 1..LEVELS.len() {
-            mesh.rod(leg(corner, level), leg(corner + 1, level), 0.045, SIDES);
-            mesh.rod(leg(corner, level - 1), leg(corner + 1, level), 0.025, SIDES);
-            mesh.rod(leg(corner + 1, level - 1), leg(corner, level), 0.025, SIDES);
-            mesh.rod(leg(corner, level), DVec3::Z * LEVELS[level], 0.02, SIDES);
+        mesh.rod(leg(corner, LEVELS[0]), leg(corner, LEVELS[4]), 0.075, SIDES);
+        for pair in LEVELS.windows(2) {
+            let (low, high) = (pair[0], pair[1]);
+            mesh.rod(leg(corner, high), leg(corner + 1, high), 0.045, SIDES);
+            mesh.rod(leg(corner, low), leg(corner + 1, high), 0.025, SIDES);
+            mesh.rod(leg(corner + 1, low), leg(corner, high), 0.025, SIDES);
+            mesh.rod(leg(corner, high), DVec3::Z * high, 0.02, SIDES);
         }
     }
     mesh.rod(DVec3::Z * -0.2, DVec3::Z * DECK, 0.16, 2 * SIDES);
@@ -67,7 +66,7 @@ fn ladder(mesh: &mut Mesh) {
     }
 }
 
-/// A round floor with a hole for nothing: the tank stands on it.
+/// The round floor that the tank stands on.
 fn deck() -> Mesh {
     let mut mesh = Mesh::default();
     mesh.disc(DVec3::Z * (DECK - 0.1), DVec3::NEG_Z, 2.42, TURN);
