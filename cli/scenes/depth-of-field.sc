@@ -14,7 +14,7 @@ camera {
   up     0 0 1
   fov    38
   aspect 1.333333
-  fdist  6
+  fdist  6.2
   lensr  0.14
   sides  6
   rotation 15
