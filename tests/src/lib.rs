@@ -1,1 +1,9 @@
-//! The tests of the whole stand in `tests/`.
+//! What the tests of the whole share; they themselves stand in `tests/`.
+
+mod memory;
+mod program;
+mod rendering;
+
+pub use memory::MemoryFiles;
+pub use program::{Ended, Folder};
+pub use rendering::Rendering;

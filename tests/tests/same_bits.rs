@@ -1,0 +1,140 @@
+//! The image is a function of the scene and the settings alone.
+
+use std::num::NonZeroUsize;
+
+use cli::scenes::{self, EmbeddedFiles};
+use render::{Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, render};
+use scene_format::scene_file::BucketOrder;
+use tests::Rendering;
+
+/// A textured one with meshes, one of glass and mirrors, one with depth of field.
+const SCENES: [&str; 3] = ["textures", "glass-mirror", "depth-of-field"];
+
+const ORDERS: [BucketOrder; 6] = [
+    BucketOrder::Hilbert,
+    BucketOrder::Spiral,
+    BucketOrder::Column,
+    BucketOrder::Row,
+    BucketOrder::Diagonal,
+    BucketOrder::Random,
+];
+
+fn assembled(name: &str, modules: Modules) -> Assembled {
+    let text = scenes::find(name).expect("the scene is embedded").source().into_owned();
+    Rendering { text, files: EmbeddedFiles, modules, lighting: Lighting::default() }.assemble()
+}
+
+/// A small picture with two rays in each of 2 x 2 zones.
+fn small(settings: &Settings) -> Settings {
+    Settings { size: [40, 30], aa: 1, samples: 2, ..settings.clone() }
+}
+
+fn film(assembled: &Assembled, settings: &Settings) -> Film {
+    render(&assembled.scene, settings, &|_| std::ops::ControlFlow::Continue(())).expect("nothing breaks it off")
+}
+
+/// The first pixel that differs in any bit, for the message.
+fn difference(one: &Film, other: &Film) -> Option<String> {
+    let bits =
+        |film: &Film| -> Vec<[u32; 3]> { film.pixels.iter().map(|pixel| pixel.to_array().map(f32::to_bits)).collect() };
+    let (one_bits, other_bits) = (bits(one), bits(other));
+    assert_eq!((one.width, one.height), (other.width, other.height));
+    let at = one_bits.iter().zip(&other_bits).position(|(one, other)| one != other)?;
+    let (x, y) = (at as u32 % one.width, at as u32 / one.width);
+    Some(format!("pixel ({x}, {y}): {:?} and {:?}", one.pixels[at], other.pixels[at]))
+}
+
+#[track_caller]
+fn assert_same(name: &str, what: &str, one: &Film, other: &Film) {
+    assert_eq!(difference(one, other), None, "{name}, {what}");
+    assert_eq!(one.rays, other.rays, "{name}, {what}");
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    for name in SCENES {
+        let assembled = assembled(name, Modules::default());
+        let with = |threads| Settings { threads: NonZeroUsize::new(threads), ..small(&assembled.settings) };
+        let one = film(&assembled, &with(1));
+        for threads in [2, 5] {
+            assert_same(name, &format!("{threads} threads"), &one, &film(&assembled, &with(threads)));
+        }
+    }
+}
+
+#[test]
+fn any_bucket_size_gives_the_same_bits() {
+    for name in SCENES {
+        let assembled = assembled(name, Modules::default());
+        let usual = film(&assembled, &small(&assembled.settings));
+        for size in [1, 7, 16, 64, 1000] {
+            let buckets = Buckets { size, ..assembled.settings.buckets };
+            let other = film(&assembled, &Settings { buckets, ..small(&assembled.settings) });
+            assert_same(name, &format!("buckets of {size}"), &usual, &other);
+        }
+    }
+}
+
+#[test]
+fn any_bucket_order_gives_the_same_bits() {
+    for name in SCENES {
+        let assembled = assembled(name, Modules::default());
+        let usual = film(&assembled, &small(&assembled.settings));
+        for (order, reversed) in ORDERS.into_iter().flat_map(|order| [(order, false), (order, true)]) {
+            let buckets = Buckets { size: 8, order, reversed };
+            let other = film(&assembled, &Settings { buckets, ..small(&assembled.settings) });
+            assert_same(name, &format!("{order:?}, reversed: {reversed}"), &usual, &other);
+        }
+    }
+}
+
+#[test]
+fn every_embedded_scene_has_the_same_bits_without_the_octree() {
+    for scene in scenes::all() {
+        let with = assembled(scene.name, Modules::default());
+        let without = assembled(scene.name, Modules { accelerator: accel::none, ..Modules::default() });
+        // Some 10^8 tests of a ray and a primitive, at most.
+        let primitives = with.scene.inventory(&with.settings).bounded_primitives;
+        let size = match primitives {
+            0..1_000 => [48, 36],
+            1_000..20_000 => [20, 15],
+            _ => [12, 9],
+        };
+        let settings = Settings { size, aa: 0, samples: 1, ..with.settings.clone() };
+        assert_same(scene.name, "without the octree", &film(&with, &settings), &film(&without, &settings));
+    }
+}
+
+#[test]
+fn a_crop_has_the_bits_of_the_same_part_of_the_whole() {
+    for name in SCENES {
+        let assembled = assembled(name, Modules::default());
+        let whole = film(&assembled, &small(&assembled.settings));
+        for crop in [Crop { x: 0, y: 0, width: 1, height: 1 }, Crop { x: 11, y: 7, width: 17, height: 13 }] {
+            let part = film(&assembled, &Settings { crop: Some(crop), ..small(&assembled.settings) });
+            let rows = whole.pixels.chunks(whole.width as usize).skip(crop.y as usize).take(crop.height as usize);
+            let columns = crop.x as usize..(crop.x + crop.width) as usize;
+            let pixels = rows.flat_map(|row| &row[columns.clone()]).copied().collect();
+            let expected = Film { width: crop.width, height: crop.height, pixels, rays: part.rays };
+            assert_same(name, &format!("{crop:?}"), &part, &expected);
+        }
+    }
+}
+
+#[test]
+fn the_same_rendering_twice_gives_the_same_bits() {
+    for name in SCENES {
+        let once = assembled(name, Modules::default());
+        let again = assembled(name, Modules::default());
+        assert_same(name, "again", &film(&once, &small(&once.settings)), &film(&again, &small(&again.settings)));
+    }
+}
+
+#[test]
+fn another_seed_gives_another_image() {
+    for name in SCENES {
+        let assembled = assembled(name, Modules::default());
+        let with = |seed| film(&assembled, &Settings { seed, ..small(&assembled.settings) });
+        assert!(difference(&with(0), &with(1)).is_some(), "{name}");
+    }
+}
