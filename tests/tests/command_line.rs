@@ -1,0 +1,248 @@
+//! The program's commands, as somebody at a terminal meets them.
+
+use std::io::Read;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use cli::scenes;
+use tests::{Ended, Folder};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_girasol-under-test");
+
+const SCENE: &str = "image { resolution 20 10 }
+camera { type pinhole eye 0 -5 0 target 0 0 0 up 0 0 1 fov 30 aspect 2 }
+shader { name white type constant color 1 1 1 }
+object { shader white type sphere c 0 0 0 r 1 }
+";
+
+fn folder() -> Folder {
+    Folder::for_program(PROGRAM).with("tiny.sc", SCENE)
+}
+
+fn succeed(folder: &Folder, arguments: &[&str]) -> Ended {
+    let ended = folder.run(arguments);
+    assert_eq!(ended.code, Some(0), "{arguments:?}: {}", ended.stderr);
+    ended
+}
+
+#[test]
+fn scenes_lists_all_with_their_summaries() {
+    let stdout = succeed(&folder(), &["scenes"]).stdout;
+    let lines: Vec<&str> = stdout.lines().collect();
+    assert_eq!(lines.len(), scenes::all().len());
+    for (line, scene) in lines.iter().zip(scenes::all()) {
+        let (name, summary) = line.split_once(' ').unwrap();
+        assert_eq!((name, summary.trim_start()), (scene.name, scene.summary));
+    }
+}
+
+#[test]
+fn scenes_prints_a_text_that_is_read_without_a_word() {
+    for scene in scenes::all() {
+        let text = succeed(&folder(), &["scenes", scene.name]).stdout;
+        assert_eq!(text, scene.source());
+        let parsed = scene_format::parse(scene.name, &text, &scene_format::NoFiles);
+        assert!(parsed.diagnostics.is_empty(), "{}: {:#?}", scene.name, parsed.diagnostics);
+    }
+}
+
+#[test]
+fn a_scene_that_was_written_gives_the_same_picture() {
+    // Without and with textures.
+    for name in ["pyramid", "textures"] {
+        let folder = folder();
+        let small = ["--size", "40x30", "--aa", "0", "--samples", "1", "--quiet"];
+        succeed(&folder, &["scenes", name, "--write", "out/here"]);
+        succeed(&folder, &[&["render", name, "-o", "embedded.png"][..], &small].concat());
+        let written = format!("out/here/{name}.sc");
+        succeed(&folder, &[&["render", &written, "-o", "written.png"][..], &small].concat());
+        assert_eq!(folder.read("embedded.png"), folder.read("written.png"), "{name}");
+    }
+}
+
+#[test]
+fn check_says_that_a_scene_can_be_rendered_and_writes_nothing() {
+    let folder = folder();
+    let ended = succeed(&folder, &["check", "tiny.sc"]);
+    assert_eq!(ended.stderr, "`tiny.sc` can be rendered: no errors or warnings\n");
+    assert_eq!((ended.stdout.as_str(), folder.names().len()), ("", 1));
+}
+
+#[test]
+fn check_fails_for_a_scene_that_cannot_be_rendered() {
+    let ended = folder().with("bad.sc", "object {").run(&["check", "bad.sc"]);
+    assert_eq!(ended.code, Some(1), "{}", ended.stderr);
+}
+
+#[test]
+fn every_embedded_scene_passes_check() {
+    for scene in scenes::all() {
+        let expected = format!("`{}.sc` can be rendered: no errors or warnings\n", scene.name);
+        assert_eq!(succeed(&folder(), &["check", scene.name]).stderr, expected);
+    }
+}
+
+#[test]
+fn inspect_shows_what_a_scene_needs_and_what_it_does_not() {
+    insta::assert_snapshot!(succeed(&folder(), &["inspect", "tiny.sc", "--aa", "1", "--samples", "3"]).stdout);
+}
+
+#[test]
+fn completions_for_bash_name_every_command() {
+    let script = succeed(&folder(), &["completions", "bash"]).stdout;
+    for word in ["_girasol()", "render", "check", "inspect", "scenes", "bench", "completions", "--soft-shadows"] {
+        assert!(script.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn help_names_every_command() {
+    let help = succeed(&folder(), &["--help"]).stdout;
+    for word in ["render", "check", "inspect", "scenes", "bench", "completions", "Exit codes"] {
+        assert!(help.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn bench_prints_a_table_with_and_without_the_accelerator() {
+    let folder = folder();
+    let ended = succeed(&folder, &["bench", "tiny.sc", "--limit", "20", "--threads", "2", "--quiet", "-o", "table.md"]);
+    let lines: Vec<&str> = ended.stdout.lines().collect();
+    assert_eq!(lines.len(), 3, "{}", ended.stdout);
+    let cells =
+        |line: &str| -> Vec<String> { line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect() };
+    let (heading, row) = (cells(lines[0]), cells(lines[2]));
+    assert_eq!(heading[..7], ["scene", "pixels", "primitives", "1 thread", "2 threads", "ratio", "without, 2 thr."]);
+    assert_eq!(row[..3], ["tiny", "20 x 10", "1"]);
+    assert!(row[3..5].iter().chain([&row[6]]).all(|time| time.ends_with(" s")), "{row:?}");
+    assert_eq!(folder.read("table.md"), ended.stdout.as_bytes());
+    assert_eq!(ended.stderr, "");
+}
+
+#[test]
+fn bench_gives_up_without_the_accelerator_at_its_limit() {
+    let arguments = ["bench", "spheres64", "--limit", "0.001", "--size", "200x150", "--aa", "0", "--quiet"];
+    let table = succeed(&folder(), &arguments).stdout;
+    assert!(table.contains("> 0.001 s"), "{table}");
+}
+
+#[test]
+fn quiet_prints_nothing() {
+    // Not even the warning that an object has no shader.
+    let folder = folder().with("warned.sc", SCENE.replace("shader white type sphere", "type sphere"));
+    for scene in ["tiny.sc", "warned.sc"] {
+        let ended = succeed(&folder, &["render", scene, "--quiet"]);
+        assert_eq!((ended.stdout.as_str(), ended.stderr.as_str()), ("", ""));
+    }
+    assert!(!succeed(&folder, &["render", "warned.sc"]).stderr.is_empty());
+}
+
+#[test]
+fn a_rendering_tells_the_picture_s_name_and_size() {
+    let ended = succeed(&folder(), &["render", "tiny.sc"]);
+    assert!(ended.stderr.starts_with("tiny.png: 20 x 10 pixels in 0."), "{}", ended.stderr);
+    assert_eq!(ended.stdout, "");
+}
+
+#[test]
+fn time_shows_each_part_and_the_rays() {
+    let ended = succeed(&folder(), &["render", "tiny.sc", "--time", "--quiet"]);
+    let lines: Vec<Vec<&str>> = ended.stderr.lines().map(|line| line.split_whitespace().collect()).collect();
+    let names: Vec<&str> = lines.iter().map(|line| line[0]).collect();
+    assert_eq!(names, ["reading", "assembling", "rendering", "writing", "rays"]);
+    for line in &lines[..4] {
+        assert!(line[1].parse::<f64>().is_ok_and(|seconds| seconds < 10.0) && line[2] == "s", "{line:?}");
+    }
+    assert_eq!(lines[4][1..7], ["200", "camera,", "0", "secondary,", "0", "shadow:"]);
+}
+
+#[test]
+fn a_picture_is_called_like_its_scene_unless_told_otherwise() {
+    let folder = folder();
+    succeed(&folder, &["render", "tiny.sc"]);
+    succeed(&folder, &["render", "pyramid", "--size", "8x6"]);
+    assert!(folder.read("tiny.png").starts_with(b"\x89PNG"));
+    assert!(folder.read("pyramid.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn the_ending_of_the_output_says_its_format() {
+    let folder = folder();
+    for (name, magic) in
+        [("x.bmp", &b"BM"[..]), ("x.exr", b"\x76\x2f\x31\x01"), ("x.png", b"\x89PNG"), ("y.PNG", b"\x89PNG")]
+    {
+        succeed(&folder, &["render", "tiny.sc", "-o", name]);
+        assert!(folder.read(name).starts_with(magic), "{name}");
+    }
+}
+
+#[test]
+fn a_file_goes_before_a_built_in_scene_of_its_name() {
+    let folder = folder().with("pyramid", SCENE);
+    let ended = succeed(&folder, &["render", "pyramid"]);
+    assert!(ended.stderr.starts_with("pyramid.png: 20 x 10 pixels"), "{}", ended.stderr);
+}
+
+#[test]
+fn every_option_that_changes_the_picture_does() {
+    let folder = folder();
+    let picture = |options: &[&str]| {
+        succeed(&folder, &[&["render", "shadows-hard", "--size", "40x30", "-o", "a.exr"], options].concat());
+        folder.read("a.exr")
+    };
+    let usual = picture(&[]);
+    for options in [
+        &["--aa", "0"][..],
+        &["--samples", "2"],
+        &["--seed", "1"],
+        &["--falloff", "log"],
+        &["--soft-shadows"],
+        &["--crop", "1,2,30,20"],
+    ] {
+        assert!(picture(options) != usual, "{options:?}");
+    }
+    for options in [&["--threads", "1"][..], &["--bucket", "5,reverse-spiral"], &["--accelerator", "none"], &["--time"]]
+    {
+        assert!(picture(options) == usual, "{options:?}");
+    }
+    let dark = |options: &[&str]| {
+        succeed(&folder, &[&["render", "tiny.sc", "-o", "b.exr"], options].concat());
+        folder.read("b.exr")
+    };
+    assert!(dark(&["--ambient", "0.5"]) != dark(&[]));
+    assert!(dark(&["--ambient", "0.05"]) == dark(&[]));
+}
+
+#[test]
+fn a_scene_meant_for_soft_shadows_gets_them() {
+    let folder = folder();
+    for (name, options) in [("a.exr", &[][..]), ("b.exr", &["--soft-shadows=3,0.1"]), ("c.exr", &["--soft-shadows=1"])]
+    {
+        succeed(&folder, &[&["render", "shadows-soft", "--size", "40x30", "-o", name], options].concat());
+    }
+    assert!(folder.read("a.exr") == folder.read("b.exr"));
+    assert!(folder.read("a.exr") != folder.read("c.exr"));
+}
+
+#[test]
+fn a_long_rendering_tells_its_share_and_the_time_left_in_plain_lines() {
+    let folder = folder();
+    let arguments = ["render", "marbles", "--size", "640x480", "--samples", "200", "--threads", "1", "--bucket", "16"];
+    let mut child = folder.command(&arguments).stderr(Stdio::piped()).spawn().unwrap();
+    // Longer than the five seconds between two lines.
+    let start = Instant::now();
+    while child.try_wait().unwrap().is_none() && start.elapsed() < Duration::from_millis(7_500) {
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    child.kill().unwrap();
+    let mut stderr = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();
+    child.wait().unwrap();
+    // 640 x 480 pixels in buckets of 16: 40 x 30.
+    let words: Vec<&str> = stderr.lines().next().unwrap_or_default().split_whitespace().collect();
+    assert!(
+        matches!(words[..], [share, "%", "of", "1200", "buckets,", left, "s", "left"]
+            if share.parse::<u32>().is_ok() && left.parse::<f64>().is_ok()),
+        "{stderr}"
+    );
+}

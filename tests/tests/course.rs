@@ -1,0 +1,150 @@
+//! The course's own scenes, which are no part of this repository. Set `GIRASOL_SHARED` to a folder with
+//!
+//! ```text
+//! scenes/course/*.sc  scenes/group/*.sc        the scenes
+//! reference/sunflow/course/NAME.png            Sunflow's picture of each, alpha > 0 where it hit something
+//! ```
+//!
+//! and run `cargo test -p tests --test course -- --nocapture`.
+#![expect(clippy::print_stdout, reason = "a table for whoever runs it")]
+
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use glam::{DVec2, Vec2};
+use render::{Assembled, Lighting, Modules, Scene};
+use scene_format::{FileError, Files, Severity};
+
+/// The longest that any scene may take: generous, against a rendering that never ends.
+const LONGEST: Duration = Duration::from_secs(120);
+
+/// Pixels by which an outline may be off. Sunflow spreads a row of W pixels over W - 1 steps, so it is up to one pixel wider.
+const TOLERANCE: i64 = 1;
+
+fn shared() -> Option<PathBuf> {
+    let Some(folder) = std::env::var_os("GIRASOL_SHARED").map(PathBuf::from) else {
+        println!("skipped: set GIRASOL_SHARED to the folder of the course's scenes");
+        return None;
+    };
+    assert!(folder.is_dir(), "GIRASOL_SHARED is {}, which is no folder", folder.display());
+    Some(folder)
+}
+
+struct Beside(PathBuf);
+
+impl Files for Beside {
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        fs::read(self.0.join(path)).map_err(|_| FileError::NotFound)
+    }
+}
+
+/// The `.sc` files of a folder.
+fn scenes(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let mut scenes: Vec<_> = paths.filter(|path| path.extension().is_some_and(|ending| ending == "sc")).collect();
+    assert!(!scenes.is_empty(), "{}", folder.display());
+    scenes.sort();
+    scenes
+}
+
+fn assembled(path: &Path) -> Assembled {
+    let text = scene_format::decode(&fs::read(path).unwrap()).unwrap();
+    let files = Beside(path.parent().unwrap().to_owned());
+    let parsed = scene_format::parse(&path.to_string_lossy(), &text, &files);
+    let errors: Vec<_> = parsed.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
+    assert!(errors.is_empty(), "{}: {errors:#?}", path.display());
+    let assembled = render::assemble(&parsed.scene, &Modules::default(), &Lighting::default(), &files);
+    assembled.unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display()))
+}
+
+#[test]
+fn every_scene_of_the_course_renders_at_its_own_settings() {
+    let Some(shared) = shared() else { return };
+    for path in ["scenes/course", "scenes/group"].into_iter().flat_map(|folder| scenes(&shared.join(folder))) {
+        let start = Instant::now();
+        let Assembled { scene, settings, .. } = assembled(&path);
+        let film = render::render(&scene, &settings, &|_| {
+            if start.elapsed() > LONGEST { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let film = film.unwrap_or_else(|| panic!("{} takes longer than {LONGEST:?}", path.display()));
+        let name = path.strip_prefix(&shared).unwrap().display();
+        println!("{name}: {} x {}, {:.2} s", film.width, film.height, start.elapsed().as_secs_f64());
+        assert!(film.pixels.iter().all(|pixel| pixel.to_array().into_iter().all(f32::is_finite)), "{name}");
+        assert!(film.pixels.iter().any(|pixel| *pixel != film.pixels[0]), "{name} is of one colour");
+    }
+}
+
+/// Which pixels of a picture something covers, row by row from the top.
+struct Silhouette {
+    width: i64,
+    height: i64,
+    covered: Vec<bool>,
+}
+
+impl Silhouette {
+    fn of_reference(path: &Path) -> Self {
+        let picture = image::load_from_memory(&fs::read(path).unwrap()).unwrap().into_rgba8();
+        let covered = picture.pixels().map(|pixel| pixel.0[3] > 0).collect();
+        Self { width: picture.width().into(), height: picture.height().into(), covered }
+    }
+
+    /// One ray through the centre of each pixel.
+    fn of_scene(scene: &Scene, [width, height]: [u32; 2]) -> Self {
+        let centre = |at: u32, count: u32| (f64::from(at) + 0.5) / f64::from(count);
+        let covered = (0..height)
+            .flat_map(|y| (0..width).map(move |x| DVec2::new(centre(x, width), 1.0 - centre(y, height))))
+            .map(|place| scene.closest(&scene.camera().ray(place, &|| Vec2::splat(0.5))).is_some())
+            .collect();
+        Self { width: width.into(), height: height.into(), covered }
+    }
+
+    fn at(&self, x: i64, y: i64) -> Option<bool> {
+        let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
+        inside.then(|| self.covered[(y * self.width + x) as usize])
+    }
+
+    /// Whether there is a pixel of a kind within the tolerance.
+    fn has_near(&self, kind: bool, x: i64, y: i64) -> bool {
+        let near = -TOLERANCE..=TOLERANCE;
+        near.clone().any(|dy| near.clone().any(|dx| self.at(x + dx, y + dy) == Some(kind)))
+    }
+}
+
+#[test]
+fn silhouettes_agree_with_sunflow_s() {
+    let Some(shared) = shared() else { return };
+    let mut beyond_tolerance = 0;
+    let mut compared = 0;
+    for path in scenes(&shared.join("scenes/course")) {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let reference = shared.join("reference/sunflow/course").join(format!("{name}.png"));
+        if !reference.exists() {
+            continue;
+        }
+        let reference = Silhouette::of_reference(&reference);
+        let Assembled { scene, settings, .. } = assembled(&path);
+        let ours = Silhouette::of_scene(&scene, settings.size);
+        assert_eq!((ours.width, ours.height), (reference.width, reference.height), "{name}");
+        let places = (0..ours.height).flat_map(|y| (0..ours.width).map(move |x| (x, y)));
+        let differing: Vec<_> = places.filter(|&(x, y)| ours.at(x, y) != reference.at(x, y)).collect();
+        let beyond: Vec<_> = differing
+            .iter()
+            .filter(|&&(x, y)| ours.at(x, y).is_some_and(|kind| !reference.has_near(kind, x, y)))
+            .collect();
+        println!(
+            "{name}: {} of {} pixels covered, {} differ, {} beyond {TOLERANCE} pixel: {:?}",
+            reference.covered.iter().filter(|&&covered| covered).count(),
+            reference.covered.len(),
+            differing.len(),
+            beyond.len(),
+            &beyond[..beyond.len().min(5)]
+        );
+        beyond_tolerance += beyond.len();
+        compared += 1;
+    }
+    assert!(compared > 0, "there is no reference");
+    assert_eq!(beyond_tolerance, 0);
+}
