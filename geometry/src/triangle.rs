@@ -70,13 +70,12 @@ impl Primitive for Triangle {
             return None;
         }
         let sum = weight_a + weight_b + weight_c;
-        let normal = self.scaled_normal();
-        let along = normal.dot(direction);
         // Edge-on, or without area: there is no one place where they meet.
-        if sum == 0.0 || along == 0.0 {
+        if sum == 0.0 {
             return None;
         }
-        let t = (normal.dot(self.corners[0].as_dvec3() - origin) / along) as f32;
+        let normal = self.scaled_normal();
+        let t = (normal.dot(self.corners[0].as_dvec3() - origin) / normal.dot(direction)) as f32;
         if !within.contains(t) {
             return None;
         }

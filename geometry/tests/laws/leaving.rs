@@ -4,7 +4,7 @@ use geometry::{
     Ellipsoid, Interval, Primitive, Ray, Surface, Triangle,
     conformance::{Aimed, ellipsoids, planes, spheres, times, triangles, unit_vector},
 };
-use glam::{Vec3, dvec3};
+use glam::{DMat3, DVec3, Vec3};
 use proptest::prelude::*;
 
 use crate::exact::{Exact, SINGLE, Vector, exact};
@@ -16,23 +16,40 @@ fn directions() -> impl Strategy<Value = Vec3> {
 }
 
 /// Whether the normal is a unit vector, and the box of the error holds a point of the surface: `side` is positive before the
-/// surface, negative behind, and continuous, so it is enough that it changes sign among the box's corners and middles.
-fn bounds_hold(surface: &Surface, side: impl Fn(&Vector) -> Exact) -> Result<(), TestCaseError> {
+/// surface, negative behind, continuous and convex, so that it is greatest at a corner. It is least at the deepest point, which
+/// is a corner too if the surface is flat.
+fn bounds_hold(
+    surface: &Surface,
+    deepest: Option<DVec3>,
+    side: impl Fn(&Vector) -> Exact,
+) -> Result<(), TestCaseError> {
     let normal = surface.geometric_normal.as_dvec3();
     prop_assert!((normal.length() - 1.0).abs() <= 2.0 * SINGLE, "{}", normal);
     prop_assert!(surface.error.min_element() >= 0.0);
-    let steps = [0.0, 1.0, -1.0];
-    let places = steps.into_iter().flat_map(|x| steps.map(|y| (x, y))).flat_map(|(x, y)| steps.map(|z| dvec3(x, y, z)));
-    let reach = surface.error.as_dvec3();
-    let mut sides = places.map(|place| side(&Vector::from(surface.position).plus(&(reach * place).into())));
-    let middle = sides.next().expect("27 of them");
+    let signs = (0..8).map(|bits| DVec3::from([0, 1, 2].map(|axis| if bits >> axis & 1 == 0 { -1.0 } else { 1.0 })));
+    let corners: Vec<Exact> = signs
+        .map(|sign| side(&Vector::from(surface.position).plus(&(surface.error.as_dvec3() * sign).into())))
+        .collect();
+    let deepest = deepest.map(|point| side(&point.into()));
+    prop_assert!(corners.iter().any(|side| *side >= Exact::ZERO), "the whole box is behind the surface");
     prop_assert!(
-        sides
-            .any(|side| side == Exact::ZERO || middle == Exact::ZERO || (side > Exact::ZERO) != (middle > Exact::ZERO)),
-        "{}",
-        reach
+        corners.iter().chain(&deepest).any(|side| *side <= Exact::ZERO),
+        "the whole box is before the surface"
     );
     Ok(())
+}
+
+/// The point of the error's box that is deepest in an ellipsoid, by minimising along one axis after the other.
+fn deepest_point(surface: &Surface, to_unit: DMat3, center: DVec3) -> DVec3 {
+    let position = surface.position.as_dvec3();
+    let reach = surface.error.as_dvec3();
+    let mut step = DVec3::ZERO;
+    for axis in (0..3).cycle().take(192) {
+        let column = to_unit.col(axis);
+        let unit = to_unit * (position + step - center);
+        step[axis] = (step[axis] - column.dot(unit) / column.length_squared()).clamp(-reach[axis], reach[axis]);
+    }
+    position + step
 }
 
 /// The cosine to the normal, if the direction is clearly on one side: a normal is known to a rounding only.
@@ -41,10 +58,17 @@ fn cosine(surface: &Surface, direction: Vec3) -> Option<f64> {
     (cosine.abs() > 4.0 * SINGLE).then_some(cosine)
 }
 
-/// A ray that leaves starts on the side it goes to.
-fn starts_on_its_side(ray: &Ray, cosine: f64, side: impl Fn(&Vector) -> Exact) -> Result<(), TestCaseError> {
+/// A ray that leaves starts on the side it goes to, and no farther off than the error and a rounding make necessary.
+fn starts_on_its_side(
+    surface: &Surface,
+    ray: &Ray,
+    cosine: f64,
+    side: impl Fn(&Vector) -> Exact,
+) -> Result<(), TestCaseError> {
     let side = side(&ray.origin.into());
     prop_assert!(if cosine > 0.0 { side > Exact::ZERO } else { side < Exact::ZERO }, "{:?}", ray);
+    let moved = (ray.origin.as_dvec3() - surface.position.as_dvec3()).length();
+    prop_assert!(moved <= 4.0 * surface.error.as_dvec3().length(), "by {} for {}", moved, surface.error);
     Ok(())
 }
 
@@ -53,10 +77,10 @@ fn triangle_is_left(aimed: &Aimed<Triangle>, direction: Vec3) -> Result<(), Test
     let surface = aimed.shape.surface(&aimed.ray, &hit);
     let (point, normal) = triangle::point_and_normal(&aimed.shape);
     let side = |p: &Vector| normal.dot(&p.minus(&point));
-    bounds_hold(&surface, side)?;
+    bounds_hold(&surface, None, side)?;
     let Some(cosine) = cosine(&surface, direction) else { return Ok(()) };
     let leaving = surface.leave(direction);
-    starts_on_its_side(&leaving, cosine, side)?;
+    starts_on_its_side(&surface, &leaving, cosine, side)?;
     prop_assert_eq!(aimed.shape.intersect(&leaving, Interval::FORWARD), None);
     Ok(())
 }
@@ -76,10 +100,10 @@ proptest! {
         let surface = shape.surface(&aimed.ray, &hit);
         let (point, normal) = plane::point_and_normal(&aimed.shape);
         let side = |p: &Vector| normal.dot(&p.minus(&point));
-        bounds_hold(&surface, side)?;
+        bounds_hold(&surface, None, side)?;
         let Some(cosine) = cosine(&surface, direction) else { return Ok(()) };
         let leaving = surface.leave(direction);
-        starts_on_its_side(&leaving, cosine, side)?;
+        starts_on_its_side(&surface, &leaving, cosine, side)?;
         prop_assert_eq!(shape.intersect(&leaving, Interval::FORWARD), None);
     }
 
@@ -98,15 +122,16 @@ proptest! {
         let error = surface.error.as_dvec3().length();
         // Else the sphere is as small as the grid of numbers around it.
         prop_assume!(error < radius / 64.0);
-        bounds_hold(&surface, side)?;
+        let to_unit = DMat3::from_diagonal(DVec3::splat(1.0 / radius));
+        bounds_hold(&surface, Some(deepest_point(&surface, to_unit, shape.center.as_dvec3())), side)?;
         let Some(cosine) = cosine(&surface, direction) else { return Ok(()) };
         let leaving = surface.leave(direction);
         let again = shape.intersect(&leaving, Interval::FORWARD);
         if cosine > 0.0 {
-            starts_on_its_side(&leaving, cosine, side)?;
+            starts_on_its_side(&surface, &leaving, cosine, side)?;
             prop_assert_eq!(again, None);
         } else if cosine.powi(2) * radius > 64.0 * error {
-            starts_on_its_side(&leaving, cosine, side)?;
+            starts_on_its_side(&surface, &leaving, cosine, side)?;
             let chord = -2.0 * cosine * radius;
             let length = leaving.direction.as_dvec3().length();
             let t = again.map(|again| f64::from(again.t) * length);
@@ -124,10 +149,10 @@ proptest! {
         let inverse = aimed.shape.linear.inverse();
         let stretch = [inverse.x_axis, inverse.y_axis, inverse.z_axis].map(|axis| axis.length());
         prop_assume!(surface.error.as_dvec3().dot(stretch.into()) < 1.0 / 64.0);
-        bounds_hold(&surface, side)?;
+        bounds_hold(&surface, Some(deepest_point(&surface, inverse, aimed.shape.translation)), side)?;
         if let Some(cosine) = cosine(&surface, direction) && cosine > 0.0 {
             let leaving = surface.leave(direction);
-            starts_on_its_side(&leaving, cosine, side)?;
+            starts_on_its_side(&surface, &leaving, cosine, side)?;
             prop_assert_eq!(shape.intersect(&leaving, Interval::FORWARD), None);
         }
     }
