@@ -154,3 +154,11 @@ fn the_cube_does_not_leak_at_its_corners_and_edges() {
         assert!(is_met, "{ray:?}");
     }
 }
+
+/// Seen from 1e15 away, all corners are the same point in `f64`: the weights are 0, and so is their sum.
+#[test]
+fn a_triangle_too_far_to_be_told_from_a_point_is_not_met() {
+    let shape = Triangle { corners: [Vec3::ZERO, 1e-3 * Vec3::X, 1e-3 * Vec3::Y] };
+    let ray = Ray::new(Vec3::splat(1e15), Vec3::splat(-1.0));
+    assert_eq!(shape.intersect(&ray, Interval::FORWARD), None);
+}
