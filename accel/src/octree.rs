@@ -1,7 +1,7 @@
 //! The report's octree: a cube around all primitives, halved along each axis into eight equal cubes, and these again.
 //!
 //! ```text
-//!   +-------+-------+      A primitive stands in every cell that its box touches. A ray visits the cells it passes, from near
+//!   +-------+-------+      A primitive stands in every cell that it touches. A ray visits the cells it passes, from near
 //!   |       | o |   |      to far, and stops at the first hit that lies before the next cell.
 //!   |       |---+---|
 //!   |       |   |/ o|      Only the three planes through a cell's centre are ever looked at: they cut the ray's way through
@@ -13,6 +13,7 @@
 //! ```
 
 mod build;
+mod overlap;
 mod traverse;
 
 use geometry::{Aabb, Hit, Interval, Primitives, Ray};

@@ -96,7 +96,7 @@ impl SceneSource {
         report::diagnostics(&diagnostics, &parsed.sources, show);
         match assembled {
             Some(assembled) if !has_errors(&diagnostics) => {
-                let settings = options.settings(assembled.settings.clone())?;
+                let settings = options.settings(&assembled.settings)?;
                 Ok(ReadyScene { assembled, settings })
             }
             _ => Err(Failure::new(format!("`{}` cannot be rendered: {}", self.label, report::counted(&diagnostics)))),

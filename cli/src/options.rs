@@ -98,7 +98,7 @@ impl RenderOptions {
     }
 
     /// The scene's own settings, with what the command line says instead.
-    pub(crate) fn settings(&self, scene: Settings) -> Result<Settings, Failure> {
+    pub(crate) fn settings(&self, scene: &Settings) -> Result<Settings, Failure> {
         let size = self.size.unwrap_or(scene.size);
         if let Some(crop) = self.crop {
             let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);
@@ -245,8 +245,8 @@ mod tests {
     fn a_crop_outside_the_picture_is_an_error_even_where_the_sum_overflows() {
         let crop =
             |x, width| RenderOptions { crop: Some(Crop { x, y: 0, width, height: 1 }), ..RenderOptions::default() };
-        assert!(crop(600, 40).settings(Settings::default()).is_ok());
-        assert!(crop(600, 41).settings(Settings::default()).is_err());
-        assert!(crop(u32::MAX, 2).settings(Settings::default()).is_err());
+        assert!(crop(600, 40).settings(&Settings::default()).is_ok());
+        assert!(crop(600, 41).settings(&Settings::default()).is_err());
+        assert!(crop(u32::MAX, 2).settings(&Settings::default()).is_err());
     }
 }

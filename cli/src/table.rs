@@ -48,10 +48,7 @@ mod tests {
 | ---- | ---: |
 | a    |    1 |
 ";
-        assert_eq!(
-            markdown(&[("name", Align::Left), ("time", Align::Right)], &rows[..1]),
-            expected.replace("name", "name")
-        );
+        assert_eq!(markdown(&[("name", Align::Left), ("time", Align::Right)], &rows[..1]), expected);
         let both = markdown(&[("name", Align::Left), ("time", Align::Right)], &rows);
         assert!(both.lines().all(|line| line.chars().count() == both.lines().next().unwrap_or("").chars().count()));
     }

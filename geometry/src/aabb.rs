@@ -71,7 +71,8 @@ impl Aabb {
 /// `4u (|o| + B) |i|`, added outwards, covers it; the `u` to spare is 10^8 times a primitive's own `f64` error.
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-100 of the largest,
-/// which moves the ray by less than the slack inside the boxes: so no infinity or NaN arises from finite input.
+/// which moves the ray by less than the slack inside the boxes: so no infinity or NaN arises from finite input. Where the
+/// largest itself is below 2^-64, `f32` has no number that small left: the slack is infinite, and every box counts as met.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxProbe {
     origin: Vec3,
@@ -83,10 +84,16 @@ impl BoxProbe {
     /// Makes a ray ready. `magnitude` is the greatest absolute coordinate ([`Aabb::magnitude`]) of the boxes to come.
     pub fn new(ray: &Ray, magnitude: f32) -> Self {
         const NEGLIGIBLE: f32 = 1.0 / (1_u128 << 100) as f32;
-        let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
+        const TOO_SHORT: f32 = 1.0 / (1_u128 << 64) as f32;
+        let largest = ray.direction.abs().max_element();
+        let floor = (largest * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let invert = |d: f32| 1.0 / if d.abs() < floor { floor.copysign(d) } else { d };
         let inverse = Vec3::new(invert(ray.direction.x), invert(ray.direction.y), invert(ray.direction.z));
-        let slack = 4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) * inverse.abs();
+        let slack = if largest < TOO_SHORT {
+            Vec3::INFINITY
+        } else {
+            4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) * inverse.abs()
+        };
         Self { origin: ray.origin, inverse, slack }
     }
 

@@ -12,6 +12,8 @@
 //! * NaN anywhere in a ray or a primitive: no hit. Nothing panics.
 
 mod aabb;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod cube;
 mod ellipsoid;
 mod hit;

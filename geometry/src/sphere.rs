@@ -29,8 +29,9 @@ pub struct Sphere {
 /// ```
 ///
 /// (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019, chapter 7.)
-/// The lesser root in magnitude is found from the product of the roots, `(f.f - r^2) / d.d`, which does not cancel.
-pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f64) -> Option<[f64; 2]> {
+/// The lesser root in magnitude is found from the product of the roots, `(f.f - r^2) / d.d`. Its numerator, the origin's
+/// `power` (Steiner 1826), is asked for, since it cancels where the origin is near the surface.
+pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f64, power: f64) -> Option<[f64; 2]> {
     let a = direction.dot(direction);
     let half_b = from_center.dot(direction);
     let nearest = from_center - direction * (half_b / a);
@@ -40,9 +41,41 @@ pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f6
         return None;
     }
     let far = -(half_b / a) + half_chord_squared.sqrt().copysign(-half_b);
-    let product = (from_center.dot(from_center) - radius * radius) / a;
-    let other = if far == 0.0 { 0.0 } else { product / far };
+    let other = if far == 0.0 { 0.0 } else { power / a / far };
     Some(if far < other { [far, other] } else { [other, far] })
+}
+
+/// The power of a point with respect to a sphere: its distance from the centre squared, less the radius squared.
+///
+/// In `f64`, and where more than 20 of its bits cancel, once more without their loss: a coordinate's difference is split into
+/// an `f32`, whose square is exact, and a small rest; the squares' sum keeps what each step rounds off (Knuth's two-sum, The Art
+/// of Computer Programming, volume 2, section 4.2.2).
+fn power(point: Vec3, center: Vec3, radius: f32) -> f64 {
+    let from_center = point.as_dvec3() - center.as_dvec3();
+    let radius = f64::from(radius);
+    let squared = radius * radius;
+    let power = from_center.dot(from_center) - squared;
+    if power.abs() * f64::from(1 << 20) > squared {
+        return power;
+    }
+    let mut sum = -squared;
+    let mut rest = 0.0;
+    for axis in 0..3 {
+        let (difference, rounded_off) = two_sum(f64::from(point[axis]), -f64::from(center[axis]));
+        let high = f64::from(difference as f32);
+        let low = (difference - high) + rounded_off;
+        let (next, rounded_off) = two_sum(sum, high * high);
+        sum = next;
+        rest += rounded_off + low * (2.0 * high + low);
+    }
+    sum + rest
+}
+
+/// A sum, and what its rounding lost: together exactly `a + b`.
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_in_sum = sum - a;
+    (sum, (a - (sum - b_in_sum)) + (b - b_in_sum))
 }
 
 /// The first of two `t`, rounded to `f32`, that lies in the interval.
@@ -68,7 +101,8 @@ pub(crate) fn sphere_uv(direction: DVec3) -> Vec2 {
 impl Sphere {
     fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
-        line_meets_sphere(from_center, ray.direction.as_dvec3(), f64::from(self.radius))
+        let power = power(ray.origin, self.center, self.radius);
+        line_meets_sphere(from_center, ray.direction.as_dvec3(), f64::from(self.radius), power)
     }
 
     /// The unit vector from the centre to an intersection.

@@ -46,6 +46,9 @@ impl Primitive for Triangle {
     /// only swap sign when an edge is walked the other way, so the two triangles at an edge, and all at a vertex, decide
     /// alike: no ray slips through. (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013; in `f64` from
     /// `f32` corners, two-sided.)
+    ///
+    /// `t` is that of the triangle's plane, not the corners' depths weighted: a sliver's weights cancel. The plane's normal
+    /// does not: its terms are products of differences of `f32`, exact in `f64`, so that only their difference is rounded.
     fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection> {
         let z = largest_axis(ray.direction);
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
@@ -71,12 +74,12 @@ impl Primitive for Triangle {
         if sum == 0.0 {
             return None;
         }
-        let inverse = 1.0 / (sum * dz);
-        let t = ((weight_a * a.z + weight_b * b.z + weight_c * c.z) * inverse) as f32;
+        let normal = self.scaled_normal();
+        let t = (normal.dot(self.corners[0].as_dvec3() - origin) / normal.dot(direction)) as f32;
         if !within.contains(t) {
             return None;
         }
-        let inverse = inverse * dz;
+        let inverse = 1.0 / sum;
         Some(Intersection { t, u: (weight_b * inverse) as f32, v: (weight_c * inverse) as f32 })
     }
 

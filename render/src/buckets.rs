@@ -84,7 +84,7 @@ fn hilbert_point(edge: u32, mut distance: u64) -> Tile {
     let (mut x, mut y) = (0, 0);
     let mut size = 1;
     while size < edge {
-        let right = (distance / 2 & 1) as u32;
+        let right = ((distance / 2) & 1) as u32;
         let down = (distance as u32 ^ right) & 1;
         if down == 0 {
             if right == 1 {

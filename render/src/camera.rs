@@ -53,7 +53,7 @@ impl Frame {
 
     /// From the eye to the point of the image plane behind a place of the picture. Of directions alone: the point itself, taken
     /// far from the origin, would round the picture away.
-    fn to_image_plane(&self, film: DVec2) -> DVec3 {
+    fn towards(&self, film: DVec2) -> DVec3 {
         let place = self.shift + self.half * (2.0 * film - DVec2::ONE);
         self.right * place.x + self.up * place.y + self.forward
     }
@@ -68,7 +68,7 @@ pub struct Pinhole {
 
 impl Camera for Pinhole {
     fn ray(&self, film: DVec2, _lens: &dyn Fn() -> Vec2) -> Ray {
-        Ray::new(self.frame.eye.as_vec3(), self.frame.to_image_plane(film).normalize().as_vec3())
+        Ray::new(self.frame.eye.as_vec3(), self.frame.towards(film).normalize().as_vec3())
     }
 }
 
@@ -100,7 +100,7 @@ impl Camera for ThinLens {
     fn ray(&self, film: DVec2, lens: &dyn Fn() -> Vec2) -> Ray {
         let on_lens = self.radius * self.place_on_lens(lens().as_dvec2());
         let offset = self.frame.right * on_lens.x + self.frame.up * on_lens.y;
-        let direction = self.frame.to_image_plane(film) - offset / self.focus_distance;
+        let direction = self.frame.towards(film) - offset / self.focus_distance;
         Ray::new((self.frame.eye + offset).as_vec3(), direction.normalize().as_vec3())
     }
 

@@ -40,19 +40,19 @@ mod tests {
     #[test]
     fn neighbours_are_independent_and_uniform() {
         let sample = |x, dimension| jitter(Sample { seed: 1, pixel: [x % 512, x / 512], index: 3, dimension });
-        let pairs: [fn(&dyn Fn(u32, u32) -> f32, u32) -> [f32; 2]; 2] =
-            [|sample, x| [sample(x, 0), sample(x, 1)], |sample, x| [sample(2 * x, 0), sample(2 * x + 1, 0)]];
-        for pair in pairs {
-            let count = 1 << 17;
-            let mut cells = vec![0_u32; 4096];
-            for x in 0..count {
-                let [a, b] = pair(&sample, x);
-                assert!((0.0..1.0).contains(&a));
-                cells[(a * 64.0) as usize * 64 + (b * 64.0) as usize] += 1;
-            }
-            let expected = f64::from(count) / 4096.0;
-            let chi_square: f64 = cells.iter().map(|&n| (f64::from(n) - expected).powi(2) / expected).sum();
-            assert!((chi_square - 4095.0).abs() < 5.0 * 90.5, "{chi_square}");
+        assert_uniform("two dimensions of a pixel", |x| [sample(x, 0), sample(x, 1)]);
+        assert_uniform("two neighbouring pixels", |x| [sample(2 * x, 0), sample(2 * x + 1, 0)]);
+    }
+
+    fn assert_uniform(what: &str, pair: impl Fn(u32) -> [f32; 2]) {
+        let count = 1 << 17;
+        let mut cells = vec![0_u32; 4096];
+        for [a, b] in (0..count).map(pair) {
+            assert!((0.0..1.0).contains(&a) && (0.0..1.0).contains(&b), "{what}");
+            cells[(a * 64.0) as usize * 64 + (b * 64.0) as usize] += 1;
         }
+        let expected = f64::from(count) / 4096.0;
+        let chi_square: f64 = cells.iter().map(|&n| (f64::from(n) - expected).powi(2) / expected).sum();
+        assert!((chi_square - 4095.0).abs() < 5.0 * 90.5, "{what}: {chi_square}");
     }
 }

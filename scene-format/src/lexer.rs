@@ -1,8 +1,9 @@
 //! Cuts a source into words. Sunflow's rules decide (they are few), softened where real files need it.
 //!
 //! Words stand between white space; a `"` begins and ends a word that may hold spaces; `%` or `#` at the start of a word
-//! drops the rest of the line; the words `/*` and `*/` enclose a comment. Sunflow knows braces as words of their own only;
-//! here one that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces.
+//! drops the rest of the line; the words `/*` and `*/` enclose a comment. Sunflow knows these marks and braces as words of their own only;
+//! here a brace that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces,
+//! and `/*word` begins a comment that ends with the next `*/` of any kind.
 
 use crate::span::{FileId, Span};
 
@@ -45,11 +46,12 @@ impl<'s> Lexer<'s> {
     pub(crate) fn next(&mut self) -> Option<Token<'s>> {
         loop {
             let (token, quoted) = self.word()?;
-            if token.text != "/*" || quoted {
+            if quoted || !token.text.starts_with("/*") {
                 return Some(token);
             }
-            if !self.skip_comment() {
-                self.unclosed_comment = Some(token.span);
+            let closed = if token.text == "/*" { self.skip_comment() } else { self.skip_glued_comment(token.span) };
+            if !closed {
+                self.unclosed_comment = Some(Span { end: token.span.start + 2, ..token.span });
             }
         }
     }
@@ -143,6 +145,14 @@ impl<'s> Lexer<'s> {
         false
     }
 
+    /// Skips to behind the next `*/` after a `/*` that is glued to a word; whether there is one.
+    fn skip_glued_comment(&mut self, word: Span) -> bool {
+        let inside = word.start as usize + 2;
+        let length = self.source.get(inside..).and_then(|rest| rest.find("*/"));
+        self.position = length.map_or(self.source.len(), |length| inside + length + 2);
+        length.is_some()
+    }
+
     fn skip_blanks(&mut self) {
         loop {
             match self.blank(self.position) {
@@ -215,8 +225,13 @@ mod tests {
     }
 
     #[test]
-    fn a_block_comment_needs_words_of_its_own() {
-        assert_eq!(words("a /* b\nc */ d /*x*/ e"), ["a", "d", "/*x*/", "e"]);
+    fn a_block_comment_ends_with_a_word_of_its_own() {
+        assert_eq!(words("a /* b\nc*/ d */ e"), ["a", "e"]);
+    }
+
+    #[test]
+    fn a_comment_that_is_glued_to_words_ends_with_any_mark() {
+        assert_eq!(words("a /*camera {\n}*/ b /*c*/ d /*/ e */ f g/*h"), ["a", "b", "d", "f", "g/*h"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Reads and writes Sunflow's `.sc` scene files.
 //!
 //! [`parse`] turns text into a [`SceneFile`], plain data with a place in the source for all that a message may have to
-//! point at, and a list of [`Diagnostic`]s. It goes on after an error, so that one run shows all of them. [`print`] turns a
+//! point at, and a list of [`Diagnostic`]s. It goes on after an error, so that one run shows all of them. [`print()`] turns a
 //! `SceneFile` back into text. Nothing here touches a disk: includes come through the caller's [`Files`], and [`decode`]
 //! makes text of a file's bytes.
 //!

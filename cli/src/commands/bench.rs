@@ -100,14 +100,14 @@ fn measure(source: &SceneSource, arguments: &BenchArguments, modules: Modules) -
     let threads = with.settings.threads.map_or_else(available_threads, usize::from);
 
     let named = |what: &str| Progress::start(&format!("{}, {what}", source.name), arguments.quiet);
-    let all = timed(&with, with.settings.clone(), &named("all threads"), None)?;
+    let all = timed(&with, &with.settings, &named("all threads"), None)?;
     let one = Settings { threads: std::num::NonZeroUsize::new(1), ..with.settings.clone() };
-    let one = timed(&with, one, &named("one thread"), None)?;
+    let one = timed(&with, &one, &named("one thread"), None)?;
     let without = assemble(&options.with_accelerator(AcceleratorName::None), Show::Errors)?;
     let mut small = without.settings.clone();
     small.buckets.size = small.buckets.size.min(SMALL_BUCKETS);
     let limit = Some(Duration::from_secs_f64(arguments.limit));
-    let unaided = timed(&without, small, &named("without accelerator"), limit)?;
+    let unaided = timed(&without, &small, &named("without accelerator"), limit)?;
 
     let (Some((film, all_threads)), Some((_, one_thread))) = (all, one) else {
         return Err(Failure::new(format!("the rendering of `{}` was broken off", source.label())));
@@ -135,12 +135,12 @@ fn available_threads() -> usize {
 /// Renders within a limit; `None` if it was reached.
 fn timed(
     ready: &ReadyScene,
-    settings: Settings,
+    settings: &Settings,
     progress: &Progress,
     limit: Option<Duration>,
 ) -> Result<Option<(Film, Duration)>, Failure> {
     let start = Instant::now();
-    let film = render(&ready.assembled.scene, &settings, &|bucket| {
+    let film = render(&ready.assembled.scene, settings, &|bucket| {
         progress.advance(bucket.finished, bucket.total);
         if limit.is_some_and(|limit| start.elapsed() > limit) {
             ControlFlow::Break(())

@@ -1,9 +1,12 @@
-use super::keywords::nearest;
+use super::keywords::{UNRENDERED_TYPES, nearest};
 use super::report::{Read, quoted};
 use super::{Parser, Reported};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{Token, is_number};
 use crate::span::{Span, Spanned};
+
+/// The fields, of any block, that are followed by a name.
+const NAMING: &[&str] = &["name", "shader", "modifier", "texture"];
 
 /// A statement's block in braces that is being read.
 pub(super) struct Block<'s> {
@@ -76,7 +79,14 @@ impl<'s> Parser<'s> {
         let mut ahead = self.cursor.clone();
         while !ahead.at_statement() {
             let Some(token) = ahead.next().filter(|_| ahead.depth() >= block.depth) else { break };
-            if token.text == "type" && ahead.depth() == block.depth {
+            if ahead.depth() != block.depth {
+                continue;
+            }
+            if NAMING.contains(&token.text) {
+                // Whatever comes is a name, be it `type`.
+                ahead.skip_name();
+            }
+            if token.text == "type" {
                 match ahead.next() {
                     Some(kind) if !kind.is_open() && !kind.is_close() => return Ok(kind),
                     _ => break,
@@ -85,19 +95,21 @@ impl<'s> Parser<'s> {
         }
         let error = Diagnostic::error(block.opened, format!("the {} has no `type`", block.keyword.text))
             .label("expected `type <type>` in this block")
-            .help(format!("the types are {}", known.join(", ")));
+            .help(format!("types that are rendered: {}", known.join(", ")));
         self.fail(error)
     }
 
-    /// Warns that a block's type is one that is not rendered.
+    /// Warns that a block's type is one that is not rendered; `effect` says what that does to the picture.
     pub(super) fn warn_of_type(&mut self, block: &Block<'_>, kind: Token<'_>, known: &[&str], effect: &str) {
         let what = block.keyword.text;
-        let warning = Diagnostic::warning(kind.span, format!("{what}s of type {} are not rendered", quoted(kind)));
-        let warning = warning.label(effect);
-        self.context.report(match nearest(kind.text, known) {
-            Some(meant) => warning.help(format!("did you mean `{meant}`?")),
-            None => warning.help(format!("types that are rendered: {}", known.join(", "))),
-        });
+        let list = || format!("types that are rendered: {}", known.join(", "));
+        let warning = if UNRENDERED_TYPES.contains(&kind.text) {
+            Diagnostic::warning(kind.span, format!("{what}s of type {} are not rendered", quoted(kind))).help(list())
+        } else {
+            let help = nearest(kind.text, known).map_or_else(list, |meant| format!("did you mean `{meant}`?"));
+            Diagnostic::warning(kind.span, format!("unknown {what} type {}", quoted(kind))).help(help)
+        };
+        self.context.report(warning.label(effect));
     }
 
     /// After an error in a statement: goes on behind it.
@@ -138,8 +150,9 @@ impl<'s> Parser<'s> {
         } else if block.fields.contains(&token.text) {
             Diagnostic::warning(token.span, format!("{} means nothing in a {what} of this type", quoted(token)))
                 .label("skipped")
-        } else if let Some(meant) = nearest(token.text, block.fields) {
+        } else if let Some(meant) = nearest(token.text, block.fields).or_else(|| shorter(token.text, block.fields)) {
             Diagnostic::error(token.span, format!("unknown word {} in this {what}", quoted(token)))
+                .label("not known here")
                 .help(format!("did you mean `{meant}`?"))
         } else {
             Diagnostic::warning(token.span, format!("unknown word {} in this {what}", quoted(token)))
@@ -166,6 +179,15 @@ impl<'s> Parser<'s> {
             .help("put a `}` at the end of the block");
         self.fail(error)
     }
+}
+
+/// The known word that `word` spells out: `diff` for `diffuse`.
+fn shorter(word: &str, known: &[&'static str]) -> Option<&'static str> {
+    let spells_out = |known: &str| {
+        let rest = word.strip_prefix(known).filter(|_| known.len() > 2);
+        rest.is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_lowercase()))
+    };
+    known.iter().copied().find(|known| spells_out(known))
 }
 
 /// Puts the words of a group into the form that `Other` keeps.

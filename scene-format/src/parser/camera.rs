@@ -48,11 +48,10 @@ struct View {
 impl<'s> Parser<'s> {
     pub(super) fn camera(&mut self, keyword: Token<'s>) -> Read<Statement> {
         let block = self.open(keyword, FIELDS)?;
-        let brace = "{".to_owned();
         let kind = self.find_type(&block, TYPES)?;
         if !TYPES.contains(&kind.text) {
             self.warn_of_type(&block, kind, TYPES, "this camera is skipped");
-            let mut words = vec![brace];
+            let mut words = vec!["{".to_owned()];
             words.extend(texts(&self.other_fields(&block)?));
             words.push("}".to_owned());
             return Ok(Statement::Other(Other { keyword: kept(keyword), words }));
@@ -63,7 +62,7 @@ impl<'s> Parser<'s> {
             "fdist" | "lensr" | "sides" | "rotation" if thin => parser.lens_field(&mut fields, field),
             _ => parser.camera_field(&mut fields, field),
         })?;
-        self.finish_camera(&block, thin.then_some(()), fields).map(Statement::Camera)
+        self.finish_camera(&block, kind, &fields).map(Statement::Camera)
     }
 
     fn camera_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {
@@ -83,7 +82,7 @@ impl<'s> Parser<'s> {
                 Err(view) => fields.view = view,
             },
             "fov" => {
-                fields.fov = Some(self.checked(field, "between 0 and 180 degrees", |fov| 0.0 < fov && fov < 180.0)?)
+                fields.fov = Some(self.checked(field, "between 0 and 180 degrees", |fov| 0.0 < fov && fov < 180.0)?);
             }
             "aspect" => fields.aspect = Some(self.checked(field, "greater than 0", |aspect| aspect > 0.0)?),
             "shift" => fields.shift = Some(self.floats(field)?),
@@ -95,7 +94,7 @@ impl<'s> Parser<'s> {
     fn lens_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {
         match field.text {
             "fdist" => {
-                fields.focus_distance = Some(self.float_that(field, "greater than 0", |distance| distance > 0.0)?)
+                fields.focus_distance = Some(self.float_that(field, "greater than 0", |distance| distance > 0.0)?);
             }
             "lensr" => fields.radius = Some(self.float_that(field, "0 or greater", |radius| radius >= 0.0)?),
             "sides" => fields.sides = Some(self.count(field)?),
@@ -135,20 +134,22 @@ impl<'s> Parser<'s> {
         Ok(Spanned::new(value, self.cursor.previous()))
     }
 
-    fn finish_camera(&mut self, block: &Block<'s>, thin: Option<()>, fields: Fields) -> Read<Camera> {
-        let placement = self.placement(block, &fields);
+    fn finish_camera(&mut self, block: &Block<'s>, kind: Token<'s>, fields: &Fields) -> Read<Camera> {
+        let placement = self.placement(block, fields);
         let fov = self.require(block, fields.fov, "fov", "fov <degrees>");
         let aspect = self.require(block, fields.aspect, "aspect", "aspect <width over height>");
-        let lens = match thin {
-            None => Ok(Lens::Pinhole),
-            Some(()) => {
-                let focus_distance = self.require(block, fields.focus_distance, "fdist", "fdist <distance>");
-                let radius = self.require(block, fields.radius, "lensr", "lensr <radius>");
-                let (sides, rotation) = (fields.sides, fields.rotation);
-                Ok(Lens::Thin { focus_distance: focus_distance?, radius: radius?, sides, rotation })
-            }
-        };
+        let lens = self.lens(block, kind, fields);
         Ok(Camera { lens: lens?, placement: placement?, fov: fov?, aspect: aspect?, shift: fields.shift })
+    }
+
+    fn lens(&mut self, block: &Block<'s>, kind: Token<'s>, fields: &Fields) -> Read<Lens> {
+        if kind.text == "pinhole" {
+            return Ok(Lens::Pinhole);
+        }
+        let focus_distance = self.require(block, fields.focus_distance, "fdist", "fdist <distance>");
+        let radius = self.require(block, fields.radius, "lensr", "lensr <radius>");
+        let (sides, rotation) = (fields.sides, fields.rotation);
+        Ok(Lens::Thin { focus_distance: focus_distance?, radius: radius?, sides, rotation })
     }
 
     fn placement(&mut self, block: &Block<'s>, fields: &Fields) -> Read<CameraPlacement> {

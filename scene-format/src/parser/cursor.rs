@@ -12,13 +12,21 @@ pub(super) struct Cursor<'s> {
     previous: Span,
     previous_closes: bool,
     depth: u32,
+    no_more_ends: bool,
 }
 
 impl<'s> Cursor<'s> {
     pub(super) fn new(source: &'s str, file: FileId) -> Self {
         let mut lexer = Lexer::new(source, file);
         let ahead = lexer.next();
-        Self { lexer, ahead, previous: Span { file, start: 0, end: 0 }, previous_closes: false, depth: 0 }
+        Self {
+            lexer,
+            ahead,
+            previous: Span { file, start: 0, end: 0 },
+            previous_closes: false,
+            depth: 0,
+            no_more_ends: false,
+        }
     }
 
     /// The next word, not yet taken.
@@ -38,6 +46,13 @@ impl<'s> Cursor<'s> {
         };
         self.ahead = self.lexer.next();
         Some(token)
+    }
+
+    /// Takes the next word unless it is a brace.
+    pub(super) fn skip_name(&mut self) {
+        if self.ahead.is_some_and(|token| !token.is_open() && !token.is_close()) {
+            self.next();
+        }
     }
 
     /// How many braces are open before the next word.
@@ -89,8 +104,11 @@ impl<'s> Cursor<'s> {
     }
 
     /// The lines after the word last taken, up to the one that holds nothing but `end`, which is taken too; `None` when
-    /// there is no such line.
+    /// there is no such line. A source is asked for one `end` only.
     pub(super) fn lines_until(&mut self, end: &str) -> Option<Vec<&'s str>> {
+        if self.no_more_ends {
+            return None;
+        }
         let mut lexer = self.lexer.clone();
         lexer.seek(self.previous.end);
         lexer.line(); // what is left of this line
@@ -103,6 +121,8 @@ impl<'s> Cursor<'s> {
             }
             lines.push(line);
         }
+        // Further on there is none either: not searched again, or the time would grow by the square.
+        self.no_more_ends = true;
         None
     }
 }

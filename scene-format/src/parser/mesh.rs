@@ -118,7 +118,7 @@ impl<'s> Parser<'s> {
             let span = number.map_or(block.keyword.span, |number| number.span);
             let last = points.len().checked_sub(1).map_or_else(String::new, |last| format!(": the last one is {last}"));
             let error = Diagnostic::error(span, "a triangle has a corner that is no point of the mesh")
-                .label(format!("triangle {} of {}, counted from 0", at / 3, triangles.len()))
+                .label(format!("in triangle number {}, counted from 0", at / 3))
                 .help(format!("points are counted from 0, and there are {}{last}", points.len()));
             return self.fail(error);
         }
@@ -155,7 +155,8 @@ impl<'s> Parser<'s> {
             Some(list) => Ok(list.len()),
             None => {
                 let error = Diagnostic::error(field.span, format!("`{}` stands before `{name}`", field.text));
-                self.fail(error.label(format!("there is one value for each of the {name}: how many is not known yet")))
+                let label = format!("how many {name} there are is not known yet");
+                self.fail(error.label(label).help(format!("move `{}` behind `{name}`", field.text)))
             }
         }
     }
@@ -210,8 +211,9 @@ impl<'s> Parser<'s> {
         };
         let error = Diagnostic::error(self.cursor.here(), message)
             .label(format!("expected {expected}, found {}", self.found()))
-            .note(list.counted_at, format!("{} are announced here", list.count));
-        self.fail(error)
+            .note(list.counted_at, format!("announced as {} here", list.count));
+        let help = self.number_help(bad).unwrap_or("correct the count, or write what is missing");
+        self.fail(error.help(help))
     }
 
     /// After the list no number may come, or its count was wrong.
@@ -221,7 +223,8 @@ impl<'s> Parser<'s> {
         }
         let error = Diagnostic::error(self.cursor.here(), format!("there are more {} than announced", list.what))
             .label(format!("expected the next field, found {}", self.found()))
-            .note(list.counted_at, format!("{} are announced here", list.count));
+            .note(list.counted_at, format!("announced as {} here", list.count))
+            .help("correct the count, or remove what is too much");
         self.fail(error)
     }
 }

@@ -4,7 +4,7 @@ use super::report::{Read, Reported};
 use super::shape::{self, ShapeFields};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
-use crate::scene_file::{Object, Transform};
+use crate::scene_file::{Object, Shape, SphereForm, Transform};
 use crate::span::Spanned;
 
 const FIELDS: &[&str] = &[
@@ -70,6 +70,10 @@ impl<'s> Parser<'s> {
         }
         let shape = self.finish_shape(&block, shape)?;
         let Common { name, shaders, modifiers, transform } = common;
+        if shape == Shape::Sphere(SphereForm::Unit) && transform.is_none() && !noinstance {
+            let warning = Diagnostic::warning(kind.span, "the sphere has neither `c` and `r` nor a transform");
+            self.context.report(warning.label("drawn with radius 1 around the origin"));
+        }
         Ok(Object { shaders, modifiers, transform, noinstance, name, shape: Spanned::new(shape, kind.span) })
     }
 

@@ -1,11 +1,10 @@
 use super::Parser;
 use super::block::{Block, Field, kept, texts};
 use super::keywords::{nearest, statements};
-use super::report::{Read, Reported, quoted};
+use super::report::{Read, quoted};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
 use crate::scene_file::Other;
-use crate::span::Spanned;
 
 impl<'s> Parser<'s> {
     /// A statement that is read over, with a warning that says what the picture loses.
@@ -30,23 +29,29 @@ impl<'s> Parser<'s> {
         Ok(words)
     }
 
-    /// Keeps a word, and with a brace or `<code>` all up to its end.
+    /// Keeps a word, and with a brace all up to the one that closes it.
     pub(super) fn collect(&mut self, first: Token<'s>, words: &mut Vec<Token<'s>>) -> Read<Field> {
-        words.push(first);
-        if first.text == "<code>" {
-            // Program text is not made of the format's words: a `%` in it is no comment. Each line is kept as one word.
-            if let Some(lines) = self.cursor.lines_until("</code>") {
-                let end = ["</code>"];
-                words.extend(lines.into_iter().chain(end).map(|text| Token { text, span: first.span }));
-            }
-        } else if first.is_open() {
+        self.keep(first, words);
+        if first.is_open() {
             let inside = self.cursor.depth();
             while self.cursor.depth() >= inside && !self.cursor.at_statement() {
                 let Some(word) = self.cursor.next() else { break };
-                words.push(word);
+                self.keep(word, words);
             }
         }
         Ok(Field::Known)
+    }
+
+    /// Keeps a word that was taken, and with `<code>` all lines up to `</code>`.
+    ///
+    /// Program text is not made of the format's words: a `%` in it is no comment. Each line is kept as one word.
+    fn keep(&mut self, word: Token<'s>, words: &mut Vec<Token<'s>>) {
+        words.push(word);
+        let code = (word.text == "<code>").then(|| self.cursor.lines_until("</code>")).flatten();
+        if let Some(lines) = code {
+            let end = ["</code>"];
+            words.extend(lines.into_iter().chain(end).map(|text| Token { text, span: word.span }));
+        }
     }
 
     fn warn_ignored(&mut self, keyword: Token<'_>, effect: &str) {
@@ -66,10 +71,8 @@ impl<'s> Parser<'s> {
 
     fn ignored_modifier(&mut self, keyword: Token<'s>) -> Read<Vec<Token<'s>>> {
         let words = self.ignored_block(keyword, "surfaces that name it stay smooth")?;
-        if let Some(at) = words.iter().position(|word| word.text == "name") {
-            if let Some(name) = words.get(at + 1) {
-                self.claim(&Spanned::new(name.text.to_owned(), name.span));
-            }
+        if let Some(name) = words.iter().skip_while(|word| word.text != "name").nth(1) {
+            self.claim(&kept(*name));
         }
         Ok(words)
     }
@@ -94,8 +97,8 @@ impl<'s> Parser<'s> {
     fn unknown_statement(&mut self, keyword: Token<'s>) -> Read<Other> {
         let message = format!("unknown statement {}", quoted(keyword));
         if let Some(meant) = nearest(keyword.text, &statements()) {
-            let error = Diagnostic::error(keyword.span, message).help(format!("did you mean `{meant}`?"));
-            return self.fail(error);
+            let error = Diagnostic::error(keyword.span, message).label("expected a statement");
+            return self.fail(error.help(format!("did you mean `{meant}`?")));
         }
         let warning = Diagnostic::warning(keyword.span, message);
         self.context.report(warning.label("skipped, with all that belongs to it"));
@@ -107,7 +110,7 @@ impl<'s> Parser<'s> {
                 break;
             }
             self.cursor.next();
-            words.push(word);
+            self.keep(word, &mut words);
         }
         Ok(Other { keyword: kept(keyword), words: texts(&words) })
     }
@@ -120,29 +123,25 @@ impl<'s> Parser<'s> {
     /// A block of which nothing is known: it may hold blocks that look like statements, so it ends where its braces
     /// balance. Only when they do not, it ends before the next statement.
     fn unknown_block(&mut self, keyword: Token<'s>, words: &mut Vec<Token<'s>>) -> Read<()> {
-        let before = (self.cursor.clone(), words.len());
+        let (cursor, kept_before) = (self.cursor.clone(), words.len());
         if !self.unbalanced {
             while let Some(word) = self.cursor.next() {
-                words.push(word);
+                self.keep(word, words);
                 if self.cursor.depth() == 0 {
                     return Ok(());
                 }
             }
             // Told once for the file: a second search to its end would say the same.
             self.unbalanced = true;
-            self.cursor = before.0;
-            words.truncate(before.1);
+            self.cursor = cursor;
+            words.truncate(kept_before);
         }
         let block = self.open(keyword, &[])?;
-        match self.other_fields(&block) {
-            Ok(inner) => {
-                let brace = |text| Token { text, span: keyword.span };
-                words.push(brace("{"));
-                words.extend(inner);
-                words.push(brace("}"));
-                Ok(())
-            }
-            Err(Reported) => Err(Reported),
-        }
+        let inner = self.other_fields(&block)?;
+        let brace = |text| Token { text, span: keyword.span };
+        words.push(brace("{"));
+        words.extend(inner);
+        words.push(brace("}"));
+        Ok(())
     }
 }

@@ -40,16 +40,30 @@ impl<'s> Parser<'s> {
 
     /// Reports that the next word is not the number that `field` needs.
     pub(super) fn bad_number<T>(&mut self, field: Token<'_>, expected: &str, bad: BadNumber) -> Read<T> {
+        let found = self.found();
+        let message = match bad {
+            BadNumber::NotFinite => format!("{found} is not a finite number"),
+            BadNumber::OutOfRange => format!("{found} is out of range for `{}`", field.text),
+            BadNumber::NotANumber => format!("`{}` needs {expected}", field.text),
+        };
+        let error = Diagnostic::error(self.cursor.here(), message).label(format!("expected {expected}, found {found}"));
+        let error = match self.number_help(bad) {
+            Some(help) => error.help(help),
+            None => error,
+        };
+        self.fail(error)
+    }
+
+    /// What to do about a number that is none, where it can be told.
+    pub(super) fn number_help(&self, bad: BadNumber) -> Option<&'static str> {
+        let word = self.cursor.peek()?.text;
         match bad {
-            BadNumber::NotFinite => {
-                let message = format!("{} is not a finite number", self.found());
-                self.fail_expected(message, &format!("{expected} for `{}`", field.text))
+            BadNumber::NotFinite => Some("numbers go up to 3.4e38 in size"),
+            BadNumber::NotANumber if word.contains(',') && word.bytes().any(|byte| byte.is_ascii_digit()) => {
+                Some("numbers are separated by white space alone, and have a point, not a comma")
             }
-            BadNumber::OutOfRange => {
-                let message = format!("{} is out of range for `{}`", self.found(), field.text);
-                self.fail_expected(message, expected)
-            }
-            BadNumber::NotANumber => self.fail_expected(format!("`{}` needs {expected}", field.text), expected),
+            BadNumber::NotANumber if is_number(word) => Some("write it without a point or exponent"),
+            BadNumber::NotANumber | BadNumber::OutOfRange => None,
         }
     }
 
@@ -137,7 +151,8 @@ impl<'s> Parser<'s> {
         let label = format!("expected `}}`, found {}", self.found());
         let error = Diagnostic::error(self.cursor.here(), format!("{group} is not closed"))
             .label(label)
-            .note(open.span, "opened here");
+            .note(open.span, "opened here")
+            .help("put a `}` before this");
         self.context.report(error);
         self.cursor.assume_closed();
         Err(Reported)

@@ -34,8 +34,8 @@ pub enum Lens {
     },
 }
 
-/// Where a camera stands and looks.
-#[derive(Clone, Debug, PartialEq)]
+/// Where a camera stands and looks. As everywhere, the place in the source does not count when two are compared.
+#[derive(Clone, Debug)]
 pub enum CameraPlacement {
     /// `eye`, `target` and `up`. They do not define a view when the eye is at the target or `up` points along the view.
     LookAt {
@@ -50,4 +50,17 @@ pub enum CameraPlacement {
     },
     /// `transform <matrix>`: from the camera's space (looks along -z, x right, y up) into the world's.
     Transform(Spanned<Transform>),
+}
+
+impl PartialEq for CameraPlacement {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (
+                Self::LookAt { eye, target, up, span: _ },
+                Self::LookAt { eye: other_eye, target: other_target, up: other_up, span: _ },
+            ) => (eye, target, up) == (other_eye, other_target, other_up),
+            (Self::Transform(transform), Self::Transform(other)) => transform == other,
+            _ => false,
+        }
+    }
 }

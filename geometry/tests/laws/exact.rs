@@ -1,0 +1,123 @@
+//! Rational numbers and vectors, and what the laws ask of them.
+
+use std::cmp::Ordering;
+
+pub(crate) use dashu_ratio::Relaxed as Exact;
+use glam::{DVec3, Vec3};
+
+/// The relative error of a few roundings in `f64`: 2^-52, in which the laws count what a kernel's steps may lose.
+pub(crate) const DOUBLE: f64 = f64::EPSILON;
+
+/// Half the distance from 1 to the next `f32`.
+pub(crate) const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
+
+/// How far a `t` may be from the truth in units of its last place: half for its own rounding, a fiftieth for the steps before.
+pub(crate) const ULPS: f64 = 0.51;
+
+pub(crate) fn exact(number: impl Into<f64>) -> Exact {
+    Exact::try_from(number.into()).expect("finite")
+}
+
+/// The range of truths that `t` may stand for: so many units of its last place, and an absolute error.
+pub(crate) fn truths(t: f32, ulps: f64, error: f64) -> [Exact; 2] {
+    let middle = exact(t);
+    let side = |neighbour: f32| &middle + exact(ulps) * (exact(neighbour) - &middle);
+    [side(t.next_down()) - exact(error), side(t.next_up()) + exact(error)]
+}
+
+pub(crate) fn is_within(number: &Exact, [low, high]: &[Exact; 2]) -> bool {
+    low <= number && number <= high
+}
+
+pub(crate) fn approximate(number: &Exact) -> f64 {
+    number.to_f64_fast()
+}
+
+/// A vector without rounding.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Vector(pub(crate) [Exact; 3]);
+
+impl From<DVec3> for Vector {
+    fn from(v: DVec3) -> Self {
+        Self(v.to_array().map(exact))
+    }
+}
+
+impl From<Vec3> for Vector {
+    fn from(v: Vec3) -> Self {
+        v.as_dvec3().into()
+    }
+}
+
+impl Vector {
+    fn zip(&self, other: &Self, f: impl Fn(&Exact, &Exact) -> Exact) -> Self {
+        Self([0, 1, 2].map(|axis| f(&self.0[axis], &other.0[axis])))
+    }
+
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+
+    pub(crate) fn dot(&self, other: &Self) -> Exact {
+        let [x, y, z] = self.zip(other, |a, b| a * b).0;
+        x + y + z
+    }
+
+    pub(crate) fn cross(&self, other: &Self) -> Self {
+        let minor = |i: usize, j: usize| &self.0[i] * &other.0[j] - &self.0[j] * &other.0[i];
+        Self([minor(1, 2), minor(2, 0), minor(0, 1)])
+    }
+
+    pub(crate) fn approximate(&self) -> DVec3 {
+        DVec3::from(self.0.each_ref().map(approximate))
+    }
+}
+
+/// `a t^2 + 2 half_b t + c` with `a > 0`.
+#[derive(Clone, Debug)]
+pub(crate) struct Quadratic {
+    pub(crate) a: Exact,
+    pub(crate) half_b: Exact,
+    pub(crate) c: Exact,
+}
+
+impl Quadratic {
+    /// A quarter of the discriminant: there are roots if it is at least 0.
+    pub(crate) fn discriminant(&self) -> Exact {
+        &self.half_b * &self.half_b - &self.a * &self.c
+    }
+
+    /// How the lesser root compares with a number, if there are roots.
+    fn compare_lesser(&self, x: &Exact) -> Ordering {
+        // Half the derivative: negative left of the vertex.
+        let slope = &self.a * x + &self.half_b;
+        let value = (&self.a * x + exact(2.0) * &self.half_b) * x + &self.c;
+        if slope <= Exact::ZERO { value.cmp(&Exact::ZERO) } else { Ordering::Less }
+    }
+
+    /// How a root compares with a number: the lesser (0) or the greater (1).
+    fn compare(&self, root: usize, x: &Exact) -> Ordering {
+        if root == 0 {
+            return self.compare_lesser(x);
+        }
+        let mirrored = Self { half_b: -self.half_b.clone(), ..self.clone() };
+        mirrored.compare_lesser(&-x.clone()).reverse()
+    }
+
+    /// The first root greater than 0.
+    pub(crate) fn first_ahead(&self) -> Option<usize> {
+        if self.discriminant() < Exact::ZERO {
+            return None;
+        }
+        (0..2).find(|&root| self.compare(root, &Exact::ZERO).is_gt())
+    }
+
+    /// Whether a root lies in a range, ends included.
+    pub(crate) fn root_is_within(&self, root: usize, [low, high]: &[Exact; 2]) -> bool {
+        self.compare(root, low).is_ge() && self.compare(root, high).is_le()
+    }
+}
