@@ -21,8 +21,8 @@ pub(crate) struct RenderOptions {
     /// Cut each pixel into 2^N x 2^N zones (0 to 8), instead of what the scene's `aa` says.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=8))]
     aa: Option<u32>,
-    /// Rays at random places of each zone (1 to 65536), instead of the scene's own.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    /// Rays at random places of each zone (1 to 65535), instead of the scene's own.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65535))]
     samples: Option<u32>,
     /// How many threads to use. The picture does not depend on it. [default: all processors]
     #[arg(long, value_name = "N")]

@@ -60,9 +60,25 @@ impl PictureFormat {
     }
 }
 
+/// Whether a file can stand at a path: asked before the work that makes it.
+pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
+    let folder = folder_of(path);
+    if path.is_dir() {
+        Err(Failure::new(format!("`{}` is a folder", path.display())).help("give the name of a file in it"))
+    } else if !folder.is_dir() {
+        Err(Failure::new(format!("there is no folder `{}` to write to", folder.display()))
+            .help("make it first, or choose another place with -o"))
+    } else {
+        Ok(())
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// Writes a file whole or not at all: what was there stays until the new one is complete.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let failed = |error: std::io::Error| {
         let help = match error.kind() {
             ErrorKind::NotFound => "the folder must exist",
@@ -71,7 +87,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         };
         Failure::of(format!("`{}` cannot be written", path.display()), error).help(help)
     };
-    let mut file = NamedTempFile::new_in(directory).map_err(failed)?;
+    let mut file = NamedTempFile::new_in(folder_of(path)).map_err(failed)?;
     file.write_all(bytes).map_err(failed)?;
     readable_by_all(&file).map_err(failed)?;
     file.persist(path).map_err(|error| failed(error.error))?;

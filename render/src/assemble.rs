@@ -21,6 +21,9 @@ use crate::{Camera, Modules, Scene, Settings};
 use color::linear;
 use shaders::ShaderTable;
 
+/// The most reflections, and the most refractions, of one ray: each takes a part of its thread's stack.
+const MOST_BOUNCES: u32 = 128;
+
 /// How a scene is lit beyond what its file says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lighting {
@@ -124,7 +127,7 @@ impl<'a> Parts<'a> {
                 Statement::Instance(instance) => self.add_instance(instance),
                 Statement::Light(light) => self.lights.extend(lights::point_light(light, self.modules.falloff)),
                 Statement::Background(color) => self.background = linear(color),
-                Statement::TraceDepths(depths) => self.set_depths(*depths),
+                Statement::TraceDepths(depths) => self.set_depths(*depths, statement.span),
                 Statement::Include { file: Some(included), .. } => self.read(&included.scene),
                 Statement::Include { file: None, .. }
                 | Statement::Image(_)
@@ -136,11 +139,18 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn set_depths(&mut self, depths: scene_file::TraceDepths) {
-        self.bounces = Bounces {
-            reflections: depths.reflection.unwrap_or(self.bounces.reflections),
-            refractions: depths.refraction.unwrap_or(self.bounces.refractions),
-        };
+    fn set_depths(&mut self, depths: scene_file::TraceDepths, span: Span) {
+        let reflections = depths.reflection.unwrap_or(self.bounces.reflections);
+        let refractions = depths.refraction.unwrap_or(self.bounces.refractions);
+        if reflections.max(refractions) > MOST_BOUNCES {
+            self.error(
+                Diagnostic::warning(span, format!("rays bounce at most {MOST_BOUNCES} times"))
+                    .label(format!("{} times are asked for", reflections.max(refractions)))
+                    .help("a few are enough: 4 are the default"),
+            );
+        }
+        self.bounces =
+            Bounces { reflections: reflections.min(MOST_BOUNCES), refractions: refractions.min(MOST_BOUNCES) };
     }
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {

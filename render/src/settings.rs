@@ -14,7 +14,7 @@ pub struct Settings {
     pub crop: Option<Crop>,
     /// A pixel is cut into 2^aa x 2^aa zones; at most 8.
     pub aa: u32,
-    /// Rays in each zone, at least 1.
+    /// Rays in each zone, 1 to 65535: so the rays of a pixel can be counted in 32 bits.
     pub samples: u32,
     /// Another seed is another picture of the same scene.
     pub seed: u32,

@@ -7,7 +7,7 @@ use render::{Film, Modules, Settings, render};
 use crate::args::BenchArguments;
 use crate::input::{ReadyScene, SceneSource};
 use crate::options::{AcceleratorName, RenderOptions};
-use crate::output::{print, write_file};
+use crate::output::{check_place, print, write_file};
 use crate::progress::Progress;
 use crate::report::{self, Failure, Show};
 use crate::scenes;
@@ -25,6 +25,7 @@ const REPORT: [(&str, &str, &str); 4] = [
 ];
 
 pub(crate) fn run(arguments: &BenchArguments, modules: Modules) -> Result<(), Failure> {
+    arguments.output.as_deref().map_or(Ok(()), check_place)?;
     let sources = sources(&arguments.scenes)?;
     let mut rows = Vec::new();
     let mut left_out = Vec::new();

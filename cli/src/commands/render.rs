@@ -7,7 +7,7 @@ use render::{Modules, render};
 use crate::args::RenderArguments;
 use crate::input::SceneSource;
 use crate::interrupt::Interrupt;
-use crate::output::{PictureFormat, write_file};
+use crate::output::{PictureFormat, check_place, write_file};
 use crate::progress::Progress;
 use crate::report::{self, Failure, Show};
 
@@ -17,6 +17,7 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
     let source = SceneSource::find(&arguments.scene.scene)?;
     let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", source.name)));
     let format = PictureFormat::of(&output)?;
+    check_place(&output)?;
     let parsed = source.parse(&arguments.options.modules(modules));
     clock.lap("reading");
 
