@@ -307,9 +307,10 @@ fn an_unknown_command() {
 
 #[test]
 fn more_rays_a_pixel_than_can_be_counted() {
-    // 4^8 zones of 65536 rays are 2^32.
-    let folder = scene("");
-    insta::assert_snapshot!(told(&folder, &["inspect", "scene.sc", "--aa", "8", "--samples", "65536"]));
+    // 4^8 zones of 65536 rays are 2^32: one more than 32 bits can hold.
+    insta::assert_snapshot!(told(&scene(""), &["inspect", "scene.sc", "--aa", "8", "--samples", "65536"]));
+    let most = scene("").run(&["inspect", "scene.sc", "--aa", "8", "--samples", "65535"]);
+    assert!(most.stdout.contains("4294901760 a pixel"), "{}", most.stdout);
 }
 
 #[test]

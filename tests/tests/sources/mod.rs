@@ -32,6 +32,8 @@ impl Crate {
         sections
             .filter_map(toml::Value::as_table)
             .flatten()
+            // A crate's tests may name the crate itself, to switch on its features.
+            .filter(|(_, value)| value.get("path").and_then(toml::Value::as_str) != Some("."))
             .map(|(name, value)| (true_name(name, value), value.clone()))
             .collect()
     }
