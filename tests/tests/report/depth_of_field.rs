@@ -53,6 +53,7 @@ fn what_lies_twice_as_far_is_blurred_by_the_radius_of_the_lens() {
 
 #[test]
 fn a_lens_without_radius_is_a_pinhole() {
+    assert!(!half_white("fdist 5 lensr 0").assemble().scene.camera().has_lens());
     let film = half_white("fdist 5 lensr 0").film();
     assert!(film.pixels.iter().enumerate().all(|(index, pixel)| pixel.r == f32::from(index % 20 >= 10)));
 }
