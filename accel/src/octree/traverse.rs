@@ -3,10 +3,19 @@ use glam::Vec3;
 
 use super::{Cell, Node, Octree};
 
+/// So many primitives, and no more, are asked at once: preparing a ray for boxes costs as much as seven tests (measured in
+/// instructions: 7 spheres are 14 % slower behind a box, 11 spheres and triangles 27 % faster).
+const FEW: usize = 7;
+
 impl Octree {
     /// Shows `visit` the primitives of the leaves that the ray passes, from near to far. `visit` returns the `t` from which on
     /// nothing is wanted any more; to stop, negative infinity.
     pub(super) fn traverse(&self, ray: &Ray, within: Interval, visit: &mut impl FnMut(&[u32]) -> f32) {
+        // A few primitives are asked sooner than the box around them.
+        if self.references.len() <= FEW {
+            visit(&self.references);
+            return;
+        }
         let probe = BoxProbe::new(ray, self.bounds.magnitude());
         if let Some(way) = probe.clip(self.bounds, within) {
             let mut walk = Walk { octree: self, octant: probe.octant(), probe, limit: within.max, visit };
