@@ -48,7 +48,8 @@ struct Cell {
 
 enum Node {
     /// Divided: its eighths are eight nodes in a row. Bits 0, 1, 2 of an eighth's place: the upper half in x, y, z.
-    Branch { first_child: u32 },
+    /// A bit of `occupied` is set for each eighth that is not empty.
+    Branch { first_child: u32, occupied: u8 },
     /// Not divided: its primitives are `references[first..first + count]`.
     Leaf { first: u32, count: u32 },
 }

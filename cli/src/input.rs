@@ -92,7 +92,8 @@ impl SceneSource {
             }
             Err(diagnostics) => (None, diagnostics),
         };
-        let diagnostics = [&parsed.diagnostics[..], &of_assembling].concat();
+        let mut diagnostics = [&parsed.diagnostics[..], &of_assembling].concat();
+        diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
         report::diagnostics(&diagnostics, &parsed.sources, show);
         match assembled {
             Some(assembled) if !has_errors(&diagnostics) => {

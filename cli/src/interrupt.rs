@@ -22,7 +22,7 @@ impl Interrupt {
         ctrlc::set_handler(move || {
             let _done = writing.lock().unwrap_or_else(PoisonError::into_inner);
             // Ends the line of a progress bar.
-            report::line("\ninterrupted: no picture was written");
+            report::line("\ninterrupted");
             process::exit(INTERRUPTED);
         })
         .map_err(|error| Failure::of("Ctrl-C cannot be caught", error))?;

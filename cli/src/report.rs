@@ -130,7 +130,9 @@ fn snippet<'a>(
         annotation = annotation.label(label);
     }
     let first_line = sources.line_column(Span { start: lines.start as u32, ..span }).line as usize;
-    Some(Snippet::source(&text[lines]).line_start(first_line).path(&*source.name).annotation(annotation))
+    // A carriage return would be shown; a space keeps all places.
+    let shown = text[lines].replace('\r', " ");
+    Some(Snippet::source(shown).line_start(first_line).path(&*source.name).annotation(annotation))
 }
 
 /// A range grown to whole lines, at most the first three; `None` if it is no range of the text.

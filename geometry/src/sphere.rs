@@ -34,13 +34,14 @@ pub struct Sphere {
 pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f64, power: f64) -> Option<[f64; 2]> {
     let a = direction.dot(direction);
     let half_b = from_center.dot(direction);
-    let nearest = from_center - direction * (half_b / a);
-    let half_chord_squared = (radius * radius - nearest.dot(nearest)) / a;
+    let middle = -(half_b / a);
+    let nearest = from_center + direction * middle;
+    let depth = radius * radius - nearest.dot(nearest);
     // A zero direction makes a NaN here, and a NaN is not a hit.
-    if half_chord_squared.is_nan() || half_chord_squared < 0.0 {
+    if depth.is_nan() || depth < 0.0 {
         return None;
     }
-    let far = -(half_b / a) + half_chord_squared.sqrt().copysign(-half_b);
+    let far = middle + (depth / a).sqrt().copysign(middle);
     let other = if far == 0.0 { 0.0 } else { power / a / far };
     Some(if far < other { [far, other] } else { [other, far] })
 }

@@ -1,4 +1,4 @@
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3, swizzles::Vec3Swizzles};
 
 use crate::{Aabb, Intersection, Interval, Primitive, Ray, Surface};
 
@@ -50,25 +50,16 @@ impl Primitive for Triangle {
     /// `t` is that of the triangle's plane, not the corners' depths weighted: a sliver's weights cancel. The plane's normal
     /// does not: its terms are products of differences of `f32`, exact in `f64`, so that only their difference is rounded.
     fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection> {
-        let z = largest_axis(ray.direction);
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let origin = ray.origin.as_dvec3();
         let direction = ray.direction.as_dvec3();
-        let (dx, dy, dz) = (direction[x], direction[y], direction[z]);
-        let [a, b, c] = self.corners.map(|corner| {
-            let from_origin = corner.as_dvec3() - origin;
-            let depth = from_origin[z];
-            DVec3::new(from_origin[x] * dz - depth * dx, from_origin[y] * dz - depth * dy, depth)
-        });
-
-        let weight_a = c.x * b.y - c.y * b.x;
-        let weight_b = a.x * c.y - a.y * c.x;
-        let weight_c = b.x * a.y - b.y * a.x;
-        let all_positive = weight_a >= 0.0 && weight_b >= 0.0 && weight_c >= 0.0;
-        let all_negative = weight_a <= 0.0 && weight_b <= 0.0 && weight_c <= 0.0;
-        if !(all_positive || all_negative) {
-            return None;
-        }
+        let [weight_a, weight_b, weight_c] = {
+            let [a, b, c] = self.corners.map(|corner| corner.as_dvec3() - origin);
+            match largest_axis(ray.direction) {
+                Axis::X => edge_functions([a.yzx(), b.yzx(), c.yzx()], direction.yzx()),
+                Axis::Y => edge_functions([a.zxy(), b.zxy(), c.zxy()], direction.zxy()),
+                Axis::Z => edge_functions([a, b, c], direction),
+            }
+        }?;
         let sum = weight_a + weight_b + weight_c;
         // Edge-on, or without area: there is no one place where they meet.
         if sum == 0.0 {
@@ -95,15 +86,36 @@ impl Primitive for Triangle {
     }
 }
 
+/// The edge functions of corners seen from the origin, along a direction whose z is its largest component; `None` if they differ in
+/// sign.
+#[inline]
+fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> Option<[f64; 3]> {
+    let [a, b, c] = corners.map(|corner| {
+        let sheared = corner.truncate() * direction.z - direction.truncate() * corner.z;
+        [sheared.x, sheared.y]
+    });
+    let edge = |from: [f64; 2], to: [f64; 2]| to[0] * from[1] - to[1] * from[0];
+    let weights = [edge(b, c), edge(c, a), edge(a, b)];
+    let all_positive = weights.iter().all(|&weight| weight >= 0.0);
+    let all_negative = weights.iter().all(|&weight| weight <= 0.0);
+    (all_positive || all_negative).then_some(weights)
+}
+
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
 /// The axis of the component of largest magnitude; the first of equal ones.
-fn largest_axis(direction: Vec3) -> usize {
+fn largest_axis(direction: Vec3) -> Axis {
     let [x, y, z] = direction.abs().to_array();
     if x >= y && x >= z {
-        0
+        Axis::X
     } else if y >= z {
-        1
+        Axis::Y
     } else {
-        2
+        Axis::Z
     }
 }
 

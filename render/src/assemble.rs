@@ -7,7 +7,7 @@ mod objects;
 mod placement;
 mod shaders;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use accel::Accelerator;
 use geometry::{Plane, Primitives};
@@ -67,6 +67,7 @@ pub fn assemble(
     let mut parts = Parts {
         modules,
         shaders: ShaderTable::new(modules.shaders, texture_path(file), files),
+        names: BTreeSet::new(),
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
         camera: None,
@@ -104,6 +105,8 @@ fn texture_path(file: &SceneFile) -> SearchPath {
 struct Parts<'a> {
     modules: &'a Modules,
     shaders: ShaderTable<'a>,
+    /// All names given so far. Of two things with one name, whatever they are, the first holds, as in Sunflow.
+    names: BTreeSet<&'a str>,
     /// The shapes that instances can show again, by the names of their objects.
     geometries: BTreeMap<&'a str, &'a Spanned<Shape>>,
     diagnostics: Vec<Diagnostic>,
@@ -122,14 +125,17 @@ impl<'a> Parts<'a> {
         for statement in &file.statements {
             match &statement.value {
                 Statement::Camera(camera) => self.set_camera(camera),
-                Statement::Shader(shader) => self.shaders.declare(shader),
-                Statement::Object(object) => self.add_object(object),
-                Statement::Instance(instance) => self.add_instance(instance),
+                Statement::Shader(shader) if self.is_new(Some(&shader.name)) => self.shaders.declare(shader),
+                Statement::Object(object) if self.is_new(object.name.as_ref()) => self.add_object(object),
+                Statement::Instance(instance) if self.is_new(instance.name.as_ref()) => self.add_instance(instance),
                 Statement::Light(light) => self.lights.extend(lights::point_light(light, self.modules.falloff)),
                 Statement::Background(color) => self.background = linear(color),
                 Statement::TraceDepths(depths) => self.set_depths(*depths, statement.span),
                 Statement::Include { file: Some(included), .. } => self.read(&included.scene),
                 Statement::Include { file: None, .. }
+                | Statement::Shader(_)
+                | Statement::Object(_)
+                | Statement::Instance(_)
                 | Statement::Image(_)
                 | Statement::Bucket(_)
                 | Statement::TexturePath(_)
@@ -137,6 +143,11 @@ impl<'a> Parts<'a> {
                 | Statement::Other(_) => {}
             }
         }
+    }
+
+    /// Takes a name, if it is free. What has no name is always new.
+    fn is_new(&mut self, name: Option<&'a Spanned<String>>) -> bool {
+        name.is_none_or(|name| self.names.insert(&name.value))
     }
 
     fn set_depths(&mut self, depths: scene_file::TraceDepths, span: Span) {
@@ -158,10 +169,6 @@ impl<'a> Parts<'a> {
             Ok(camera) => self.camera = Some(camera),
             Err(diagnostic) => self.diagnostics.push(diagnostic),
         }
-    }
-
-    fn error(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
     }
 
     fn finish(mut self, lighting: &Lighting, settings: Settings) -> Result<Assembled, Vec<Diagnostic>> {

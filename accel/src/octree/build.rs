@@ -31,6 +31,12 @@ enum Tree {
     Branch(Box<[Tree; 8]>),
 }
 
+impl Tree {
+    fn is_empty(&self) -> bool {
+        matches!(self, Self::Leaf(inside) if inside.is_empty())
+    }
+}
+
 /// A tree, and what a ray that passes its cell costs in tests of a primitive.
 struct Grown {
     tree: Tree,
@@ -126,7 +132,8 @@ impl Flat {
             }
             Tree::Branch(below) => {
                 let first_child = self.nodes.len();
-                self.nodes[index] = Node::Branch { first_child: first_child as u32 };
+                let occupied = below.iter().rev().fold(0, |bits, tree| bits << 1 | u8::from(!tree.is_empty()));
+                self.nodes[index] = Node::Branch { first_child: first_child as u32, occupied };
                 self.nodes.extend((0..8).map(|_| Node::Leaf { first: 0, count: 0 }));
                 for (place, tree) in below.into_iter().enumerate() {
                     self.lay_out(first_child + place, tree, depth + 1);

@@ -3,10 +3,19 @@ use glam::Vec3;
 
 use super::{Cell, Node, Octree};
 
+/// So many primitives, and no more, are asked at once: preparing a ray for boxes costs as much as seven tests (measured in
+/// instructions: 7 spheres are 14 % slower behind a box, 11 spheres and triangles 27 % faster).
+const FEW: usize = 7;
+
 impl Octree {
     /// Shows `visit` the primitives of the leaves that the ray passes, from near to far. `visit` returns the `t` from which on
     /// nothing is wanted any more; to stop, negative infinity.
     pub(super) fn traverse(&self, ray: &Ray, within: Interval, visit: &mut impl FnMut(&[u32]) -> f32) {
+        // A few primitives are asked sooner than the box around them.
+        if self.references.len() <= FEW {
+            visit(&self.references);
+            return;
+        }
         let probe = BoxProbe::new(ray, self.bounds.magnitude());
         if let Some(way) = probe.clip(self.bounds, within) {
             let mut walk = Walk { octree: self, octant: probe.octant(), probe, limit: within.max, visit };
@@ -29,27 +38,29 @@ impl<V: FnMut(&[u32]) -> f32> Walk<'_, V> {
     /// The ray passes a node's cell on a part of its way.
     fn pass(&mut self, index: u32, cell: Cell, way: Interval) {
         match self.octree.nodes[index as usize] {
-            Node::Leaf { count: 0, .. } => {}
             Node::Leaf { first, count } => {
                 let references = &self.octree.references[first as usize..(first + count) as usize];
                 self.limit = (self.visit)(references);
             }
-            Node::Branch { first_child } => self.pass_eighths(first_child, cell, way),
+            Node::Branch { first_child, occupied } => self.pass_eighths(first_child, occupied, cell, way),
         }
     }
 
     /// The way through each eighth lies before or behind the crossing of each of the three planes; both reach over it by the
     /// slack, so that nothing on a plane is lost. Eighths in the order of the planes crossed: none, one, two, three.
-    fn pass_eighths(&mut self, first_child: u32, cell: Cell, way: Interval) {
+    fn pass_eighths(&mut self, first_child: u32, occupied: u8, cell: Cell, way: Interval) {
         let crossing = self.probe.crossings(cell.center);
         let (before, behind) = (crossing + self.probe.slack(), crossing - self.probe.slack());
         for crossed in [0b000, 0b001, 0b010, 0b100, 0b011, 0b101, 0b110, 0b111] {
+            let place = crossed ^ self.octant;
+            if occupied >> place & 1 == 0 {
+                continue;
+            }
             let part = cut(way, crossed, before, behind);
             // A hit at just this distance may still have a lower number, hence not >=.
             if part.min > part.max || part.min > self.limit {
                 continue;
             }
-            let place = crossed ^ self.octant;
             self.pass(first_child + place as u32, cell.eighth(place), part);
         }
     }

@@ -13,22 +13,21 @@ const LARGEST_COORDINATE: f32 = 1e15;
 impl<'a> Parts<'a> {
     pub(super) fn add_object(&mut self, object: &'a Object) {
         if let Some(name) = &object.name {
-            // As in Sunflow, the first of a name stays.
-            self.geometries.entry(&name.value).or_insert(&object.shape);
+            self.geometries.insert(&name.value, &object.shape);
         }
         if object.noinstance || matches!(object.shape.value, Shape::Other(_)) {
             return;
         }
         match invertible(object.transform.as_ref()) {
             Ok(to_world) => self.add_shape(&object.shape, &object.shaders, &to_world),
-            Err(diagnostic) => self.error(diagnostic),
+            Err(diagnostic) => self.diagnostics.push(diagnostic),
         }
     }
 
     pub(super) fn add_instance(&mut self, instance: &'a Instance) {
         let Some(&shape) = self.geometries.get(instance.geometry.value.as_str()) else {
             let name = &instance.geometry;
-            self.error(
+            self.diagnostics.push(
                 Diagnostic::warning(name.span, format!("no object `{}` comes before this instance of it", name.value))
                     .label("the instance is left out"),
             );
@@ -39,7 +38,7 @@ impl<'a> Parts<'a> {
         let shape = if matches!(shape.value, Shape::Sphere(_)) { &unit_sphere } else { shape };
         match invertible(instance.transform.as_ref()) {
             Ok(to_world) => self.add_shape(shape, &instance.shaders, &to_world),
-            Err(diagnostic) => self.error(diagnostic),
+            Err(diagnostic) => self.diagnostics.push(diagnostic),
         }
     }
 
@@ -54,12 +53,12 @@ impl<'a> Parts<'a> {
             Shape::Other(_) => Ok(()),
         };
         match added {
-            Err(NotPlaced::TooFar) => self.error(
+            Err(NotPlaced::TooFar) => self.diagnostics.push(
                 Diagnostic::error(shape.span, "this object reaches too far out")
                     .label(format!("a coordinate beyond {LARGEST_COORDINATE:e}"))
                     .help("scale the scene down, or look for a number that has too many digits"),
             ),
-            Err(NotPlaced::Because(diagnostic)) => self.error(diagnostic),
+            Err(NotPlaced::Because(diagnostic)) => self.diagnostics.push(diagnostic),
             Ok(()) => {}
         }
     }
@@ -141,7 +140,7 @@ impl<'a> Parts<'a> {
                 let numbers: Vec<u32> = shaders.iter().map(|name| self.shaders.used(name)).collect();
                 let default = numbers.len() as u32;
                 if indices.iter().any(|&index| index >= default) {
-                    self.error(
+                    self.diagnostics.push(
                         Diagnostic::warning(span, "some face shaders of this mesh are not in its list of shaders")
                             .label(format!("the object has {default}"))
                             .help("those triangles are rendered in the default colour"),
@@ -166,7 +165,7 @@ impl<'a> Parts<'a> {
         let flat = mesh.triangles.iter().filter(is_flat).count();
         if flat > 0 {
             let triangles = mesh.triangles.len();
-            self.error(
+            self.diagnostics.push(
                 Diagnostic::warning(span, format!("{flat} of this mesh's {triangles} triangles have no area"))
                     .label("they are never seen")
                     .help("two of their corners are the same point, or all three lie on one line"),

@@ -49,9 +49,9 @@ impl<'a> ShaderTable<'a> {
         }
     }
 
-    /// Takes note of a shader. Of two with one name the first holds, as in Sunflow.
+    /// Takes note of a shader.
     pub(super) fn declare(&mut self, shader: &'a scene_file::Shader) {
-        self.declared.entry(&shader.name.value).or_insert(Declared { kind: &shader.kind, made: None });
+        self.declared.insert(&shader.name.value, Declared { kind: &shader.kind, made: None });
     }
 
     /// The number of the shader with a name.

@@ -13,7 +13,7 @@ impl Parser<'_> {
     pub(super) fn claim(&mut self, name: &Spanned<String>) {
         if let Some(first) = self.context.names.0.get(&name.value) {
             let warning = Diagnostic::warning(name.span, format!("the name `{}` is given twice", name.value))
-                .label("Sunflow leaves this one out")
+                .label("left out, as Sunflow does")
                 .note(*first, "first given here")
                 .help("give each shader, object, instance and modifier a name of its own");
             self.context.report(warning);

@@ -193,7 +193,7 @@ fn two_places_for_a_camera() {
 
 #[test]
 fn a_name_that_is_taken() {
-    assert_snapshot!(say("shader { name a type mirror refl 1 1 1 }\nobject { shader a type box name a }"), @"scene.sc:2:33: warning: the name `a` is given twice [Sunflow leaves this one out] {scene.sc:1:15: first given here} (give each shader, object, instance and modifier a name of its own)");
+    assert_snapshot!(say("shader { name a type mirror refl 1 1 1 }\nobject { shader a type box name a }"), @"scene.sc:2:33: warning: the name `a` is given twice [left out, as Sunflow does] {scene.sc:1:15: first given here} (give each shader, object, instance and modifier a name of its own)");
 }
 
 #[test]
