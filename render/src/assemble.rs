@@ -154,7 +154,7 @@ impl<'a> Parts<'a> {
         let reflections = depths.reflection.unwrap_or(self.bounces.reflections);
         let refractions = depths.refraction.unwrap_or(self.bounces.refractions);
         if reflections.max(refractions) > MOST_BOUNCES {
-            self.error(
+            self.diagnostics.push(
                 Diagnostic::warning(span, format!("rays bounce at most {MOST_BOUNCES} times"))
                     .label(format!("{} times are asked for", reflections.max(refractions)))
                     .help("a few are enough: 4 are the default"),

@@ -21,9 +21,9 @@ use tests::Rendering;
 const WIDTH: u32 = 64;
 
 /// Four rays a pixel, whatever the scene asks for.
-fn small(settings: Settings) -> Settings {
+fn small(settings: &Settings) -> Settings {
     let [width, height] = settings.size;
-    Settings { size: [WIDTH, (WIDTH * height + width / 2) / width], aa: 1, samples: 1, ..settings }
+    Settings { size: [WIDTH, (WIDTH * height + width / 2) / width], aa: 1, samples: 1, ..settings.clone() }
 }
 
 fn film(scene: &EmbeddedScene) -> Film {
@@ -34,7 +34,7 @@ fn film(scene: &EmbeddedScene) -> Film {
         modules: Modules::default(),
         lighting: Lighting { soft_shadows, ..Lighting::default() },
     };
-    rendering.film_with(small)
+    rendering.film_with(|settings| small(&settings))
 }
 
 fn png(film: &Film) -> Vec<u8> {

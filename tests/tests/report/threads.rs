@@ -50,10 +50,10 @@ fn two_threads_work_on_two_buckets_at_once() {
 }
 
 /// The areas of the finished buckets, and what was told of the progress.
-fn progress(settings: Settings) -> Vec<(Crop, usize, usize)> {
+fn progress(settings: &Settings) -> Vec<(Crop, usize, usize)> {
     let assembled = wall().assemble();
     let told = Mutex::new(Vec::new());
-    let film = render::render(&assembled.scene, &settings, &|bucket| {
+    let film = render::render(&assembled.scene, settings, &|bucket| {
         assert_eq!(bucket.pixels.len(), (bucket.area.width * bucket.area.height) as usize);
         told.lock().unwrap().push((bucket.area, bucket.finished, bucket.total));
         ControlFlow::Continue(())
@@ -66,7 +66,7 @@ fn progress(settings: Settings) -> Vec<(Crop, usize, usize)> {
 fn progress_counts_the_finished_buckets() {
     // 70 x 50 pixels in buckets of 16: 5 x 4.
     let settings = Settings { buckets: Buckets { size: 16, ..Buckets::default() }, ..wall().assemble().settings };
-    let told = progress(settings);
+    let told = progress(&settings);
     let counts: Vec<_> = told.iter().map(|&(_, finished, total)| (finished, total)).collect();
     assert_eq!(counts, (1..=20).map(|finished| (finished, 20)).collect::<Vec<_>>());
 }
@@ -75,7 +75,7 @@ fn progress_counts_the_finished_buckets() {
 fn buckets_of_the_size_asked_for_cover_the_picture_once() {
     let settings = Settings { buckets: Buckets { size: 16, ..Buckets::default() }, ..wall().assemble().settings };
     let mut covered = vec![0; 70 * 50];
-    for (area, ..) in progress(settings) {
+    for (area, ..) in progress(&settings) {
         assert!(area.width == 16 || area.x + area.width == 70, "{area:?}");
         assert!(area.height == 16 || area.y + area.height == 50, "{area:?}");
         for (x, y) in (area.y..area.y + area.height).flat_map(|y| (area.x..area.x + area.width).map(move |x| (x, y))) {
