@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use render::{Assembled, Modules, Settings, assemble};
-use scene_format::{Diagnostic, FileError, Files, Parsed, Severity};
+use scene_format::{Diagnostic, FileError, Files, Parsed, Severity, Span};
 use shading::SoftShadows;
 
 use crate::options::RenderOptions;
@@ -92,6 +92,10 @@ impl SceneSource {
             }
             Err(diagnostics) => (None, diagnostics),
         };
+        // What is said of the scene as a whole may only follow from what could not be read.
+        let of_assembling =
+            of_assembling.into_iter().filter(|said| said.span != Span::default() || !has_errors(&parsed.diagnostics));
+        let of_assembling: Vec<_> = of_assembling.collect();
         let mut diagnostics = [&parsed.diagnostics[..], &of_assembling].concat();
         diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
         report::diagnostics(&diagnostics, &parsed.sources, show);

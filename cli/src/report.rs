@@ -4,11 +4,14 @@ use std::fmt::Display;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 
-use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use scene_format::{Diagnostic, Severity, Sources, Span};
 
 /// At most so many warnings are shown before a rendering; `check` shows them all.
 const WARNINGS_BEFORE_A_RENDERING: usize = 10;
+
+/// Lines of more bytes than this are shown in part.
+const LONG: usize = 800;
 
 /// Why a command did not do what it was asked.
 #[derive(Debug)]
@@ -51,6 +54,11 @@ pub(crate) fn line(text: impl Display) {
 pub(crate) fn failure(failure: &Failure) {
     let help = failure.help.as_deref().map(|help| Level::HELP.message(help));
     line(renderer().render(&[Level::ERROR.primary_title(&failure.message).elements(help)]));
+}
+
+/// Shows something that may have gone wrong.
+pub(crate) fn warning(message: &str, help: &str) {
+    line(renderer().render(&[Level::WARNING.primary_title(message).element(Level::HELP.message(help))]));
 }
 
 /// Shows what there is to say about a scene.
@@ -99,14 +107,10 @@ fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> 
         Severity::Warning => Level::WARNING,
     };
     let mut group: Group<'_> = level.primary_title(&diagnostic.message).elements(None::<Snippet<'_, Annotation<'_>>>);
-    if let Some(snippet) = snippet(sources, diagnostic.span, &diagnostic.label, AnnotationKind::Primary) {
-        group = group.element(snippet);
-    }
+    group = with_snippet(group, sources, diagnostic.span, &diagnostic.label, AnnotationKind::Primary);
     for (span, words) in &diagnostic.notes {
         group = group.element(Level::NOTE.message(words));
-        if let Some(snippet) = snippet(sources, *span, "", AnnotationKind::Context) {
-            group = group.element(snippet);
-        }
+        group = with_snippet(group, sources, *span, "", AnnotationKind::Context);
     }
     if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(help));
@@ -114,25 +118,41 @@ fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> 
     renderer.render(&[group])
 }
 
-/// The lines around a place, with the place underlined: only these lines, since a scene may have a million others.
-fn snippet<'a>(
+/// Adds the lines around a place, with the place underlined: only these lines, since a scene may have a million others, and of a very
+/// long line only a part.
+fn with_snippet<'a>(
+    group: Group<'a>,
     sources: &'a Sources,
     span: Span,
     label: &'a str,
     kind: AnnotationKind,
-) -> Option<Snippet<'a, Annotation<'a>>> {
-    let source = sources.files.get(span.file as usize)?;
-    let text = &source.text;
-    let lines = whole_lines(text, span.start as usize..(span.end as usize).max(span.start as usize))?;
-    let underlined = span.start as usize - lines.start..(span.end as usize).min(lines.end) - lines.start;
-    let mut annotation = kind.span(underlined);
+) -> Group<'a> {
+    let Some(source) = sources.files.get(span.file as usize) else { return group };
+    let (start, end) = (span.start as usize, span.end.max(span.start) as usize);
+    let Some(lines) = whole_lines(&source.text, start..end) else { return group };
+    let shown = if lines.len() > LONG { around(&source.text, &lines, start..end) } else { lines.clone() };
+    let mut annotation = kind.span(start - shown.start..end.min(shown.end) - shown.start);
     if !label.is_empty() {
         annotation = annotation.label(label);
     }
-    let first_line = sources.line_column(Span { start: lines.start as u32, ..span }).line as usize;
+    let place = sources.line_column(Span { start: lines.start as u32, ..span });
     // A carriage return would be shown; a space keeps all places.
-    let shown = text[lines].replace('\r', " ");
-    Some(Snippet::source(shown).line_start(first_line).path(&*source.name).annotation(annotation))
+    let text = source.text[shown.clone()].replace('\r', " ");
+    let snippet = Snippet::source(text).line_start(place.line as usize).annotation(annotation);
+    if shown == lines {
+        return group.element(snippet.path(&*source.name));
+    }
+    // The snippet cannot know at which column it begins.
+    let place = sources.line_column(span);
+    let origin = Origin::path(&*source.name).line(place.line as usize).char_column(place.column as usize);
+    group.element(origin).element(snippet)
+}
+
+/// The part of some lines that lies around a place.
+fn around(text: &str, lines: &Range<usize>, place: Range<usize>) -> Range<usize> {
+    let start = text.floor_char_boundary(place.start.saturating_sub(LONG / 8).max(lines.start));
+    let end = text.ceil_char_boundary(place.end.min(place.start + LONG / 2).saturating_add(LONG / 8).min(lines.end));
+    start..end
 }
 
 /// A range grown to whole lines, at most the first three; `None` if it is no range of the text.

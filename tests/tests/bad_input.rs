@@ -290,6 +290,31 @@ fn an_output_without_ending() {
     insta::assert_snapshot!(told(&scene(""), &["render", "scene.sc", "-o", "picture"]));
 }
 
+/// Not that there is none: it is there, and cannot be read.
+#[test]
+fn a_camera_that_cannot_be_read_is_told_once() {
+    let folder = folder().with("scene.sc", CAMERA.replace("fov 30", "fov 0"));
+    insta::assert_snapshot!(told(&folder, &["render", "scene.sc"]));
+}
+
+#[test]
+fn a_light_that_reaches_nothing() {
+    insta::assert_snapshot!(rendered(
+        "light { type point color 1 1 1 power 2 p 0 -9 0 }\nobject { shader white type plane p 0 0 0 n 0 1 0 }"
+    ));
+}
+
+/// Once it took half a minute: each message showed the whole line.
+#[test]
+fn a_very_long_line_is_shown_in_part() {
+    let folder = folder().with("scene.sc", "object { ".repeat(200_000));
+    let start = Instant::now();
+    let text = told(&folder, &["check", "scene.sc"]);
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    assert!(text.lines().all(|line| line.len() < 1000));
+    assert!(text.contains("scene.sc:1:9001"), "the column is that of the whole line");
+}
+
 #[test]
 fn a_crop_outside_the_picture() {
     insta::assert_snapshot!(told(&scene(""), &["render", "scene.sc", "--crop", "4,4,8,8"]));

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use render::{Modules, render};
+use render::{Film, Modules, render};
 
 use crate::args::RenderArguments;
 use crate::input::SceneSource;
@@ -39,6 +39,13 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
     clock.lap("writing");
 
     if !arguments.quiet {
+        if is_uniform(&film) && ready.assembled.scene.inventory(&ready.settings).lights > 0 {
+            report::warning(
+                "the whole picture has one colour",
+                "perhaps no light reaches what the camera sees: with the linear falloff a light ends at a distance of its power, with \
+                 `--falloff log` it does not",
+            );
+        }
         let (width, height) = (film.width, film.height);
         report::line(format!("{}: {width} x {height} pixels in {}", output.display(), seconds(clock.total())));
     }
@@ -58,6 +65,10 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
         ));
     }
     Ok(())
+}
+
+fn is_uniform(film: &Film) -> bool {
+    film.pixels.len() > 1 && film.pixels.windows(2).all(|pair| pair[0] == pair[1])
 }
 
 /// Which step took how long.
