@@ -6,10 +6,10 @@ image {
 
 camera {
   type pinhole
-  eye    0.35 -4.3 2.3
-  target 0.1 0 0.87
+  eye    0.3 -4.4 2.2
+  target 0.05 0 0.88
   up     0 0 1
-  fov    45
+  fov    41
   aspect 1.333333
 }
 
@@ -17,16 +17,22 @@ background { color { "sRGB nonlinear" 0.05 0.055 0.07 } }
 
 light {
   type point
-  color { "sRGB nonlinear" 1 0.97 0.9 }
-  power 9
-  p -0.55 -0.1 1.5
+  color 1.7 1.56 1.28
+  power 5
+  p -0.55 -0.1 1.4
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.36 0.4 0.5 }
+  color { "sRGB nonlinear" 0.5 0.53 0.6 }
   power 30
-  p 1.5 -6 5
+  p 0.5 -5 2.5
+}
+
+shader {
+  name wall
+  type constant
+  color { "sRGB nonlinear" 0.62 0.7 0.72 }
 }
 
 shader {
@@ -60,9 +66,15 @@ shader {
 }
 
 shader {
+  name bulb
+  type constant
+  color 2 1.85 1.5
+}
+
+shader {
   name tin
   type constant
-  color { "sRGB nonlinear" 0.75 0.75 0.72 }
+  color { "sRGB nonlinear" 0.93 0.9 0.82 }
 }
 
 shader {
@@ -79,7 +91,22 @@ object {
   n 0 0 1
 }
 
-% The lampshade: wholly above the light and its cluster.
+object {
+  shader wall
+  type plane
+  p 0 2 0
+  n 0 -1 0
+}
+
+% The bulb and the lampshade: wholly above the light and its cluster.
+
+object {
+  shader bulb
+  type sphere
+  name bulb
+  c -0.55 -0.1 1.64
+  r 0.12
+}
 
 object {
   shader tin
