@@ -24,7 +24,7 @@ light {
   type point
   color { "sRGB nonlinear" 0.4 0.42 0.46 }
   power 100000000
-  p 5 3 21
+  p 4 0 22
 }
 
 shader {

@@ -36,7 +36,7 @@ light {
   type point
   color { "sRGB nonlinear" 0.42 0.44 0.5 }
   power 100000000
-  p 0.8 -11 0.8
+  p 1 -11 1.5
 }
 
 shader {

@@ -1,5 +1,5 @@
 % Marbles on a wooden tray: clear and tinted glass, silver and gold mirrors, paint with highlights, and painted swirls, each
-% turned to another side. Two lights; glass casts no shadow. A white ball behind the first light, where it casts none either, is
+% turned to another side. Three lights; glass casts no shadow. A white ball behind the first light, where it casts none either, is
 % what glass and metal reflect as a lamp. All of the report at once.
 
 image {
@@ -10,7 +10,7 @@ image {
 
 trace-depths {
   diff 1
-  refl 3
+  refl 2
   refr 4
 }
 
@@ -34,9 +34,16 @@ light {
 
 light {
   type point
-  color { "sRGB nonlinear" 0.66 0.69 0.76 }
+  color { "sRGB nonlinear" 0.7 0.72 0.78 }
   power 70
-  p -8 -8 8
+  p -8 3 9
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.42 0.42 0.44 }
+  power 60
+  p 1.5 -10.5 4.5
 }
 
 shader {

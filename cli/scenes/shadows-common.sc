@@ -17,14 +17,14 @@ background { color { "sRGB nonlinear" 0.05 0.055 0.07 } }
 
 light {
   type point
-  color 1.7 1.56 1.28
+  color 1.5 1.38 1.14
   power 5
   p -0.55 -0.1 1.4
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.5 0.53 0.6 }
+  color { "sRGB nonlinear" 0.57 0.6 0.66 }
   power 30
   p 0.5 -5 2.5
 }
@@ -66,7 +66,7 @@ shader {
 }
 
 shader {
-  name bulb
+  name glow
   type constant
   color 2 1.85 1.5
 }
@@ -101,7 +101,7 @@ object {
 % The bulb and the lampshade: wholly above the light and its cluster.
 
 object {
-  shader bulb
+  shader glow
   type sphere
   name bulb
   c -0.55 -0.1 1.64
@@ -247,8 +247,8 @@ object {
 object {
   shader wood
   transform {
-    scale 0.035 0.035 0.8
-    translate 0.35 0.35 0.4
+    scale 0.035 0.035 0.65
+    translate 0.12 0.4 0.325
   }
   type box
   name stick
@@ -258,7 +258,7 @@ object {
   shader red
   type sphere
   name lollipop
-  c 0.35 0.35 0.95
+  c 0.12 0.4 0.8
   r 0.2
 }
 
