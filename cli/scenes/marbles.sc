@@ -1,6 +1,6 @@
 % Marbles on a wooden tray: clear and tinted glass, silver and gold mirrors, paint with highlights, and painted swirls, each
-% turned to another side. Three lights; glass casts no shadow. A white ball behind the first light, where it casts none either, is
-% what glass and metal reflect as a lamp. All of the report at once.
+% turned to another side. Three lights; glass casts no shadow. A white ball behind the first light, where it casts none
+% either, is what glass and metal reflect as a lamp. All of the report at once.
 
 image {
   resolution 800 600
