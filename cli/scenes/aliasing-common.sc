@@ -12,15 +12,15 @@ background { color { "sRGB nonlinear" 0.85 0.9 0.95 } }
 light {
   type point
   color { "sRGB nonlinear" 0.92 0.9 0.86 }
-  power 100000
-  p -600 -900 1100
+  power 100000000
+  p -400000 -600000 700000
 }
 
 light {
   type point
   color { "sRGB nonlinear" 0.45 0.46 0.5 }
-  power 100000
-  p 800 -800 600
+  power 100000000
+  p 620000 -620000 470000
 }
 
 shader {

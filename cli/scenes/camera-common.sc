@@ -9,15 +9,22 @@ background { color { "sRGB nonlinear" 0.72 0.8 0.88 } }
 light {
   type point
   color { "sRGB nonlinear" 0.9 0.88 0.83 }
-  power 100000
-  p 1200 1800 1600
+  power 100000000
+  p 450000 680000 600000
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.5 0.55 0.62 }
-  power 100000
-  p -1600 900 1200
+  color { "sRGB nonlinear" 0.45 0.5 0.58 }
+  power 100000000
+  p -760000 430000 500000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.4 0.42 0.46 }
+  power 100000000
+  p 4 0 22
 }
 
 shader {

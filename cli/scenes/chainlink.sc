@@ -21,15 +21,22 @@ background { color { "sRGB nonlinear" 0.66 0.78 0.9 } }
 light {
   type point
   color { "sRGB nonlinear" 0.95 0.9 0.82 }
-  power 100000
-  p -900 -1700 2600
+  power 100000000
+  p -280000 -520000 800000
 }
 
 light {
   type point
   color { "sRGB nonlinear" 0.5 0.54 0.6 }
-  power 100000
-  p 2400 -1900 1300
+  power 100000000
+  p 720000 -570000 390000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.42 0.44 0.5 }
+  power 100000000
+  p 17 -28 17
 }
 
 shader {

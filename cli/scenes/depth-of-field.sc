@@ -4,7 +4,7 @@
 image {
   resolution 640 480
   aa 0 2
-  samples 4
+  samples 3
 }
 
 camera {
@@ -15,7 +15,7 @@ camera {
   fov    38
   aspect 1.333333
   fdist  6.2
-  lensr  0.14
+  lensr  0.17
   sides  6
   rotation 15
 }
@@ -92,18 +92,18 @@ shader {
   samples 0
 }
 
-% Lamps: colours above 1 make them bright enough to show as hexagons when they are out of focus.
+% Lamps: colours far above 1, since a lamp out of focus spreads its light over a hexagon several times its size.
 
 shader {
   name warm
   type constant
-  color 9 5.5 2.2
+  color 34 18 2.5
 }
 
 shader {
   name cool
   type constant
-  color 2.2 4.5 8
+  color 2.5 17 34
 }
 
 object {
@@ -167,7 +167,7 @@ object {
   type sphere
   name lamp1
   c -2.4 18 2.6
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -175,7 +175,7 @@ object {
   type sphere
   name lamp2
   c -0.6 20 3.5
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -183,7 +183,7 @@ object {
   type sphere
   name lamp3
   c 1.3 17 2.2
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -191,7 +191,7 @@ object {
   type sphere
   name lamp4
   c 3.1 21 3.1
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -199,7 +199,7 @@ object {
   type sphere
   name lamp5
   c 4.6 18 1.9
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -207,7 +207,7 @@ object {
   type sphere
   name lamp6
   c 6.2 20 3.6
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -215,7 +215,7 @@ object {
   type sphere
   name lamp7
   c 7.6 17 2.5
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -223,7 +223,7 @@ object {
   type sphere
   name lamp8
   c 9.2 19 3.3
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -231,7 +231,7 @@ object {
   type sphere
   name lamp9
   c 10.8 17 2.0
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -239,7 +239,7 @@ object {
   type sphere
   name lamp10
   c 12.4 18 2.9
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -247,7 +247,7 @@ object {
   type sphere
   name lamp11
   c 2.3 15 3.3
-  r 0.11
+  r 0.16
 }
 
 object {
@@ -255,5 +255,5 @@ object {
   type sphere
   name lamp12
   c 8.4 15 1.5
-  r 0.11
+  r 0.16
 }

@@ -21,15 +21,22 @@ background { color { "sRGB nonlinear" 0.86 0.87 0.84 } }
 light {
   type point
   color { "sRGB nonlinear" 0.9 0.88 0.83 }
-  power 100000
-  p 700 -900 1200
+  power 100000000
+  p 420000 -540000 720000
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.46 0.5 0.58 }
-  power 100000
-  p -1000 -800 700
+  color { "sRGB nonlinear" 0.48 0.52 0.6 }
+  power 100000000
+  p -600000 -300000 740000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.42 0.44 0.5 }
+  power 100000000
+  p 1 -11 1.5
 }
 
 shader {

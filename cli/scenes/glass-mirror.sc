@@ -9,8 +9,8 @@ image {
 
 trace-depths {
   diff 1
-  refl 5
-  refr 8
+  refl 2
+  refr 6
 }
 
 camera {

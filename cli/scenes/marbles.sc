@@ -1,16 +1,17 @@
 % Marbles on a wooden tray: clear and tinted glass, silver and gold mirrors, paint with highlights, and painted swirls, each
-% turned to another side. Three lights; glass casts no shadow. All of the report at once.
+% turned to another side. Three lights; glass casts no shadow. A white ball behind the first light, where it casts none
+% either, is what glass and metal reflect as a lamp. All of the report at once.
 
 image {
   resolution 800 600
-  aa 0 2
-  samples 1
+  aa 0 1
+  samples 3
 }
 
 trace-depths {
   diff 1
-  refl 5
-  refr 6
+  refl 2
+  refr 4
 }
 
 camera {
@@ -33,23 +34,23 @@ light {
 
 light {
   type point
-  color { "sRGB nonlinear" 0.6 0.65 0.74 }
+  color { "sRGB nonlinear" 0.7 0.72 0.78 }
   power 70
-  p -9 -6 7
+  p -8 3 9
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.55 0.5 0.46 }
+  color { "sRGB nonlinear" 0.42 0.42 0.44 }
   power 60
-  p -2 9 7
+  p 1.5 -10.5 4.5
 }
 
 shader {
   name clear
   type glass
-  eta 1.5
-  color { "sRGB nonlinear" 0.98 0.98 0.98 }
+  eta 1.6
+  color { "sRGB nonlinear" 1 1 1 }
 }
 
 shader {
@@ -57,8 +58,8 @@ shader {
   type glass
   eta 1.5
   color { "sRGB nonlinear" 0.98 0.98 0.98 }
-  absorption.distance 0.9
-  absorption.color { "sRGB nonlinear" 1 0.62 0.05 }
+  absorption.distance 0.4
+  absorption.color { "sRGB nonlinear" 1 0.8 0.1 }
 }
 
 shader {
@@ -66,8 +67,8 @@ shader {
   type glass
   eta 1.5
   color { "sRGB nonlinear" 0.98 0.98 0.98 }
-  absorption.distance 0.9
-  absorption.color { "sRGB nonlinear" 0.15 0.92 0.45 }
+  absorption.distance 0.7
+  absorption.color { "sRGB nonlinear" 0.3 0.95 0.72 }
 }
 
 shader {
@@ -75,8 +76,8 @@ shader {
   type glass
   eta 1.5
   color { "sRGB nonlinear" 0.98 0.98 0.98 }
-  absorption.distance 1.1
-  absorption.color { "sRGB nonlinear" 0.95 0.35 0.45 }
+  absorption.distance 0.5
+  absorption.color { "sRGB nonlinear" 1 0.55 0.78 }
 }
 
 shader {
@@ -153,6 +154,20 @@ shader {
   diff { "sRGB nonlinear" 0.26 0.45 0.44 }
   spec { "sRGB nonlinear" 0 0 0 } 1
   samples 0
+}
+
+shader {
+  name lamp
+  type constant
+  color 5 4.9 4.6
+}
+
+object {
+  shader lamp
+  type sphere
+  name bulb
+  c 8.6 -11.5 13.6
+  r 3
 }
 
 object {

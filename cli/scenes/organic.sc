@@ -20,16 +20,23 @@ background { color { "sRGB nonlinear" 0.75 0.84 0.8 } }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.9 0.86 0.8 }
-  power 100000
-  p 600 -900 1100
+  color { "sRGB nonlinear" 0.92 0.88 0.8 }
+  power 100000000
+  p 480000 -600000 650000
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.48 0.52 0.58 }
-  power 100000
-  p -900 -700 500
+  color { "sRGB nonlinear" 0.48 0.52 0.6 }
+  power 100000000
+  p -600000 200000 800000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.42 0.44 0.5 }
+  power 100000000
+  p 3.6 -9 1
 }
 
 shader {

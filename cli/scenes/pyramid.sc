@@ -21,15 +21,22 @@ background { color { "sRGB nonlinear" 0.62 0.72 0.82 } }
 light {
   type point
   color { "sRGB nonlinear" 0.92 0.88 0.8 }
-  power 100000
-  p 1000 -900 1300
+  power 100000000
+  p 540000 -490000 700000
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.5 0.58 0.72 }
-  power 100000
-  p -1100 -1100 800
+  color { "sRGB nonlinear" 0.48 0.54 0.66 }
+  power 100000000
+  p -600000 -400000 700000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.4 0.42 0.48 }
+  power 100000000
+  p 7.5 -17 1.5
 }
 
 shader {

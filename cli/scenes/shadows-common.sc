@@ -6,10 +6,10 @@ image {
 
 camera {
   type pinhole
-  eye    0.35 -4.3 2.3
-  target 0.1 0 0.87
+  eye    0.3 -4.4 2.2
+  target 0.05 0 0.88
   up     0 0 1
-  fov    45
+  fov    41
   aspect 1.333333
 }
 
@@ -17,16 +17,22 @@ background { color { "sRGB nonlinear" 0.05 0.055 0.07 } }
 
 light {
   type point
-  color { "sRGB nonlinear" 1 0.97 0.9 }
-  power 9
-  p -0.55 -0.1 1.5
+  color 1.5 1.38 1.14
+  power 5
+  p -0.55 -0.1 1.4
 }
 
 light {
   type point
-  color { "sRGB nonlinear" 0.36 0.4 0.5 }
+  color { "sRGB nonlinear" 0.57 0.6 0.66 }
   power 30
-  p 1.5 -6 5
+  p 0.5 -5 2.5
+}
+
+shader {
+  name wall
+  type constant
+  color { "sRGB nonlinear" 0.62 0.7 0.72 }
 }
 
 shader {
@@ -60,9 +66,15 @@ shader {
 }
 
 shader {
+  name glow
+  type constant
+  color 2 1.85 1.5
+}
+
+shader {
   name tin
   type constant
-  color { "sRGB nonlinear" 0.75 0.75 0.72 }
+  color { "sRGB nonlinear" 0.93 0.9 0.82 }
 }
 
 shader {
@@ -79,7 +91,22 @@ object {
   n 0 0 1
 }
 
-% The lampshade: wholly above the light and its cluster.
+object {
+  shader wall
+  type plane
+  p 0 2 0
+  n 0 -1 0
+}
+
+% The bulb and the lampshade: wholly above the light and its cluster.
+
+object {
+  shader glow
+  type sphere
+  name bulb
+  c -0.55 -0.1 1.64
+  r 0.12
+}
 
 object {
   shader tin
@@ -220,8 +247,8 @@ object {
 object {
   shader wood
   transform {
-    scale 0.035 0.035 0.8
-    translate 0.35 0.35 0.4
+    scale 0.035 0.035 0.65
+    translate 0.12 0.4 0.325
   }
   type box
   name stick
@@ -231,7 +258,7 @@ object {
   shader red
   type sphere
   name lollipop
-  c 0.35 0.35 0.95
+  c 0.12 0.4 0.8
   r 0.2
 }
 

@@ -31,3 +31,17 @@ light {
   power 60
   p -8 -12 3
 }
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.4 0.4 0.42 }
+  power 60
+  p 6 -9.4 4.6
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.6 0.6 0.65 }
+  power 60
+  p -8 -12 3
+}

@@ -23,15 +23,22 @@ background { color { "sRGB nonlinear" 0.62 0.76 0.88 } }
 light {
   type point
   color { "sRGB nonlinear" 0.95 0.9 0.8 }
-  power 100000
-  p 1400 -1600 2000
+  power 100000000
+  p 480000 -550000 680000
 }
 
 light {
   type point
   color { "sRGB nonlinear" 0.45 0.5 0.58 }
-  power 100000
-  p -1800 -1200 900
+  power 100000000
+  p -750000 -500000 400000
+}
+
+light {
+  type point
+  color { "sRGB nonlinear" 0.5 0.52 0.56 }
+  power 100000000
+  p 4.5 -15 0.5
 }
 
 shader {

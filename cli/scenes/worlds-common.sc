@@ -7,7 +7,7 @@ camera {
   aspect 1.333333
 }
 
-background { color { "sRGB nonlinear" 0.03 0.035 0.06 } }
+background { color { "sRGB nonlinear" 0.17 0.18 0.24 } }
 
 shader {
   name globe

@@ -23,8 +23,8 @@ light {
 
 light {
   type point
-  color { "sRGB nonlinear" 0.75 0.6 0.5 }
-  power 50
-  p -4 9 12
+  color { "sRGB nonlinear" 0.42 0.42 0.45 }
+  power 60
+  p 6.2 -9.6 4.8
 }
 
