@@ -83,6 +83,9 @@ pub(crate) struct BenchArguments {
     /// Give up on a rendering without the accelerator after this many seconds.
     #[arg(long, value_name = "SECONDS", default_value = "20", value_parser = parse_positive_seconds)]
     pub(crate) limit: f64,
+    /// Render this often on one thread and on all, in turn, and show the medians.
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub(crate) repeat: std::num::NonZeroU32,
     /// Also write the table, as Markdown, to this file.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,

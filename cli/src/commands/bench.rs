@@ -1,3 +1,4 @@
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -13,8 +14,9 @@ use crate::report::{self, Failure, Show};
 use crate::scenes;
 use crate::table::{Align, markdown};
 
-/// The edge of buckets without the accelerator: small, so that the time limit is not overrun by one bucket.
+/// The edge of buckets of scenes with many primitives without the accelerator: small, so that one bucket does not overrun the limit.
 const SMALL_BUCKETS: u32 = 4;
+const MANY_PRIMITIVES: u32 = 500;
 
 /// The report's own table (section 5): scene, with and without the octree.
 const REPORT: [(&str, &str, &str); 4] = [
@@ -101,28 +103,33 @@ fn measure(source: &SceneSource, arguments: &BenchArguments, modules: Modules) -
     let threads = with.settings.threads.map_or_else(available_threads, usize::from);
 
     let named = |what: &str| Progress::start(&format!("{}, {what}", source.name), arguments.quiet);
-    let all = timed(&with, &with.settings, &named("all threads"), None)?;
-    let one = Settings { threads: std::num::NonZeroUsize::new(1), ..with.settings.clone() };
-    let one = timed(&with, &one, &named("one thread"), None)?;
+    let alone = Settings { threads: NonZeroUsize::new(1), ..with.settings.clone() };
+    let (mut all_threads, mut one_thread, mut film) = (Vec::new(), Vec::new(), None);
+    for _ in 0..arguments.repeat.get() {
+        let (rendered, time) = unlimited(&with, &with.settings, &named("all threads"))?;
+        all_threads.push(time);
+        one_thread.push(unlimited(&with, &alone, &named("one thread"))?.1);
+        film = Some(rendered);
+    }
+    let film = film.ok_or_else(broken_off)?;
     let without = assemble(&options.with_accelerator(AcceleratorName::None), Show::Errors)?;
+    let primitives = with.assembled.scene.inventory(&with.settings).bounded_primitives;
     let mut small = without.settings.clone();
-    small.buckets.size = small.buckets.size.min(SMALL_BUCKETS);
+    if primitives > MANY_PRIMITIVES {
+        small.buckets.size = small.buckets.size.min(SMALL_BUCKETS);
+    }
     let limit = Some(Duration::from_secs_f64(arguments.limit));
-    let unaided = timed(&without, &small, &named("without accelerator"), limit)?;
-
-    let (Some((film, all_threads)), Some((_, one_thread))) = (all, one) else {
-        return Err(Failure::new(format!("the rendering of `{}` was broken off", source.label())));
-    };
+    let unaided = timed(&without, &small, &named("without accelerator"), limit);
     if unaided.as_ref().is_some_and(|(other, _)| other.pixels != film.pixels) {
         return Err(Failure::new(format!("`{}` looks different with and without the accelerator", source.label())));
     }
     Ok(Row {
         name: source.name.clone(),
         size: [film.width, film.height],
-        primitives: with.assembled.scene.inventory(&with.settings).bounded_primitives,
-        one_thread,
+        primitives,
+        one_thread: median(one_thread),
         threads,
-        all_threads,
+        all_threads: median(all_threads),
         without: unaided.map(|(_, time)| time),
         limit: arguments.limit,
         rays: film.rays.total(),
@@ -133,13 +140,18 @@ fn available_threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort();
+    times[times.len() / 2]
+}
+
 /// Renders within a limit; `None` if it was reached.
 fn timed(
     ready: &ReadyScene,
     settings: &Settings,
     progress: &Progress,
     limit: Option<Duration>,
-) -> Result<Option<(Film, Duration)>, Failure> {
+) -> Option<(Film, Duration)> {
     let start = Instant::now();
     let film = render(&ready.assembled.scene, settings, &|bucket| {
         progress.advance(bucket.finished, bucket.total);
@@ -150,7 +162,15 @@ fn timed(
         }
     });
     progress.finish();
-    Ok(film.map(|film| (film, start.elapsed())))
+    film.map(|film| (film, start.elapsed()))
+}
+
+fn unlimited(ready: &ReadyScene, settings: &Settings, progress: &Progress) -> Result<(Film, Duration), Failure> {
+    timed(ready, settings, progress, None).ok_or_else(broken_off)
+}
+
+fn broken_off() -> Failure {
+    Failure::new("the rendering was broken off")
 }
 
 fn table(rows: &[Row]) -> String {
