@@ -1,5 +1,6 @@
 //! The course's assignment: its first three scenes, and blocks that are not supported.
 
+use cli::scenes::EmbeddedFiles;
 use geometry::{Interval, Ray};
 use glam::Vec3;
 use render::{Lighting, Modules, Scene};
@@ -7,7 +8,6 @@ use scene_format::{
     NoFiles, SceneFile, Severity,
     scene_file::{Shape, SphereForm, Statement},
 };
-use tests::Rendering;
 
 use super::{WHITE, look};
 
@@ -81,7 +81,9 @@ fn sixty_four_spheres_stand_in_a_grid_spaced_1_5() {
 #[test]
 fn three_cubes_and_two_spheres_alternate_along_x() {
     let source = cli::scenes::find("cubes").expect("the scene is embedded").source();
-    let scene = Rendering::of(source).assemble().scene;
+    let parsed = scene_format::parse("cubes.sc", &source, &EmbeddedFiles);
+    let assembled = render::assemble(&parsed.scene, &Modules::default(), &Lighting::default(), &EmbeddedFiles);
+    let scene = assembled.map(|assembled| assembled.scene).unwrap_or_else(|said| panic!("{said:#?}"));
     // Sides and diameters of 2, gaps of 0.5: from -6 to 6.
     let expected = [-6.0, -4.0, -3.5, -1.5, -1.0, 1.0, 1.5, 3.5, 4.0, 6.0];
     // A little beside the axis, since the axis lies in an edge between two triangles. The spheres are 1e-4 narrower there.
