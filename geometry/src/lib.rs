@@ -35,7 +35,7 @@ pub use hit::{Hit, Intersection};
 pub use interval::Interval;
 pub use plane::{PLANE_TEXTURE_SIZE, Plane};
 pub use primitive::Primitive;
-pub use primitives::{Corners, Mesh, Primitives};
+pub use primitives::{Corners, Mesh, PrimitiveCount, Primitives};
 pub use ray::Ray;
 pub use sphere::Sphere;
 pub use surface::Surface;

@@ -69,6 +69,24 @@ struct MeshCorners {
     uvs: Corners<Vec2>,
 }
 
+/// How many primitives of each kind there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PrimitiveCount {
+    /// Spheres that are neither turned nor stretched.
+    pub spheres: usize,
+    /// Spheres that are.
+    pub ellipsoids: usize,
+    /// Triangles of meshes and cubes.
+    pub triangles: usize,
+}
+
+impl PrimitiveCount {
+    /// How many there are of all kinds.
+    pub fn total(self) -> usize {
+        self.spheres + self.ellipsoids + self.triangles
+    }
+}
+
 /// Which shape has a primitive's number.
 #[derive(Clone, Copy, Debug)]
 enum Number {
@@ -178,6 +196,19 @@ impl Primitives {
         }
     }
 
+    /// How many of them are spheres, ellipsoids and triangles.
+    pub fn count(&self) -> PrimitiveCount {
+        let mut count = PrimitiveCount::default();
+        for number in &self.numbered {
+            match number {
+                Number::Sphere(_) => count.spheres += 1,
+                Number::Ellipsoid(_) => count.ellipsoids += 1,
+                Number::Triangle(_) => count.triangles += 1,
+            }
+        }
+        count
+    }
+
     /// The memory that the primitives take, in bytes.
     pub fn bytes(&self) -> usize {
         let shapes = &self.shapes;
@@ -254,6 +285,7 @@ mod tests {
     fn each_shape_has_the_number_of_its_turn() {
         let primitives = two_meshes_and_a_sphere();
         assert_eq!(primitives.len(), 3);
+        assert_eq!(primitives.count(), PrimitiveCount { spheres: 1, ellipsoids: 0, triangles: 2 });
         let t: Vec<_> =
             (0..3).map(|number| primitives.intersect(number, &DOWN, Interval::FORWARD).map(|hit| hit.t)).collect();
         assert_eq!((t[0], t[2]), (Some(1.0), Some(2.0)));

@@ -20,6 +20,7 @@ use shading::{Bounces, Color, PointLight, SoftShadows};
 use crate::{Camera, Modules, Scene, Settings};
 use color::linear;
 use shaders::ShaderTable;
+pub use shaders::ShadingNeeds;
 
 /// The most reflections, and the most refractions, of one ray: each takes a part of its thread's stack.
 const MOST_BOUNCES: u32 = 128;
@@ -48,8 +49,8 @@ pub struct Assembled {
     pub settings: Settings,
     /// What there is to say about it.
     pub warnings: Vec<Diagnostic>,
-    /// The shaders that nothing uses, which were not made, nor their textures read.
-    pub unused_shaders: Vec<String>,
+    /// What its shaders need.
+    pub shading: ShadingNeeds,
 }
 
 /// Puts a scene together: resolves names, applies transforms, reads textures and builds the accelerators, each with the module
@@ -187,7 +188,7 @@ impl<'a> Parts<'a> {
         let Some(camera) = self.camera.filter(|_| !failed) else { return Err(self.diagnostics) };
 
         let ShaderTable { made: shaders, .. } = &self.shaders;
-        let unused_shaders = self.shaders.unused();
+        let shading = self.shaders.needs();
         let lights = match lighting.soft_shadows {
             None => self.lights,
             Some(soft) => self.lights.into_iter().flat_map(|light| (self.modules.soft_shadows)(light, soft)).collect(),
@@ -211,6 +212,6 @@ impl<'a> Parts<'a> {
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
         };
-        Ok(Assembled { scene, settings, warnings: self.diagnostics, unused_shaders })
+        Ok(Assembled { scene, settings, warnings: self.diagnostics, shading })
     }
 }

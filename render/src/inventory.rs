@@ -1,4 +1,5 @@
 use accel::Statistics;
+use geometry::PrimitiveCount;
 
 use crate::{Scene, Settings};
 
@@ -6,7 +7,7 @@ use crate::{Scene, Settings};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inventory {
     /// Spheres, ellipsoids and triangles.
-    pub bounded_primitives: u32,
+    pub bounded: PrimitiveCount,
     /// Infinite planes.
     pub planes: usize,
     /// Memory of the bounded primitives, in bytes.
@@ -17,6 +18,8 @@ pub struct Inventory {
     pub blockers: Option<Statistics>,
     /// Shaders that some object uses.
     pub shaders: usize,
+    /// Whether some of them let light through.
+    pub glass: bool,
     /// Lights, after soft shadows have made many of each.
     pub lights: usize,
     /// Whether the camera has a lens.
@@ -30,12 +33,13 @@ impl Scene {
     pub fn inventory(&self, settings: &Settings) -> Inventory {
         let window = settings.window();
         Inventory {
-            bounded_primitives: self.bounded.len(),
+            bounded: self.bounded.count(),
             planes: self.planes.len(),
             primitive_bytes: self.bounded.bytes(),
             accelerator: self.accelerator.statistics(),
             blockers: self.blockers.as_ref().map(|blockers| blockers.statistics()),
             shaders: self.shaders.len(),
+            glass: !self.shaders.iter().all(|shader| shader.casts_shadow()),
             lights: self.lights.len(),
             lens: self.camera.has_lens(),
             camera_rays: u64::from(window.width) * u64::from(window.height) * u64::from(settings.rays_per_pixel()),

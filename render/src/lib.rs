@@ -22,7 +22,7 @@ mod scene;
 mod settings;
 mod tracer;
 
-pub use assemble::{Assembled, Lighting, assemble};
+pub use assemble::{Assembled, Lighting, ShadingNeeds, assemble};
 pub use buckets::{Tile, bucket_order};
 pub use camera::{Camera, Frame, Pinhole, ThinLens};
 pub use film::{Film, RayCounts};

@@ -35,6 +35,11 @@ impl ImageTexture {
         })
     }
 
+    /// The memory that the texels take.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.texels[..])
+    }
+
     fn texel(&self, column: usize, row: usize) -> Color {
         self.texels[row * self.width + column].map(srgb::decode_byte).into()
     }

@@ -94,7 +94,7 @@ fn every_embedded_scene_has_the_same_bits_without_the_octree() {
         let with = assembled(scene.name, Modules::default());
         let without = assembled(scene.name, Modules { accelerator: accel::none, ..Modules::default() });
         // Some 10^8 tests of a ray and a primitive, at most.
-        let primitives = with.scene.inventory(&with.settings).bounded_primitives;
+        let primitives = with.scene.inventory(&with.settings).bounded.total();
         let size = match primitives {
             0..1_000 => [48, 36],
             1_000..20_000 => [20, 15],

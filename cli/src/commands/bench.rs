@@ -16,7 +16,7 @@ use crate::table::{Align, markdown};
 
 /// The edge of buckets of scenes with many primitives without the accelerator: small, so that one bucket does not overrun the limit.
 const SMALL_BUCKETS: u32 = 4;
-const MANY_PRIMITIVES: u32 = 500;
+const MANY_PRIMITIVES: usize = 500;
 
 /// The report's own table (section 5): scene, with and without the octree.
 const REPORT: [(&str, &str, &str); 4] = [
@@ -85,7 +85,7 @@ fn folder(path: &Path) -> Result<Vec<SceneSource>, Failure> {
 struct Row {
     name: String,
     size: [u32; 2],
-    primitives: u32,
+    primitives: usize,
     one_thread: Duration,
     threads: usize,
     all_threads: Duration,
@@ -113,7 +113,7 @@ fn measure(source: &SceneSource, arguments: &BenchArguments, modules: Modules) -
     }
     let film = film.ok_or_else(broken_off)?;
     let without = assemble(&options.with_accelerator(AcceleratorName::None), Show::Errors)?;
-    let primitives = with.assembled.scene.inventory(&with.settings).bounded_primitives;
+    let primitives = with.assembled.scene.inventory(&with.settings).bounded.total();
     let mut small = without.settings.clone();
     if primitives > MANY_PRIMITIVES {
         small.buckets.size = small.buckets.size.min(SMALL_BUCKETS);

@@ -1,7 +1,8 @@
 use std::fmt::Write;
 
 use accel::Statistics;
-use render::{Inventory, Modules, Settings};
+use geometry::PrimitiveCount;
+use render::{Inventory, Modules, Settings, ShadingNeeds};
 
 use crate::args::InspectArguments;
 use crate::input::{ReadyScene, SceneSource};
@@ -25,22 +26,20 @@ fn describe(label: &str, ready: &ReadyScene) -> String {
     };
     row("picture", picture(settings));
     row("rays", rays(&inventory, settings));
-    row(
-        "primitives",
-        format!("{} bounded, {} planes", thousands(inventory.bounded_primitives.into()), inventory.planes),
-    );
+    row("primitives", primitives(&inventory));
     row("memory", format!("{} for the primitives", bytes(inventory.primitive_bytes)));
     row("accelerator", tree(&inventory.accelerator));
     if let Some(blockers) = &inventory.blockers {
         row("for shadows", format!("{}, of what is not glass", tree(blockers)));
     }
     row("lights", inventory.lights.to_string());
-    row("shaders", inventory.shaders.to_string());
+    row("shaders", format!("{}: {}", inventory.shaders, or_none(&assembled.shading.types)));
+    row("textures", textures(&assembled.shading));
     row(
         "camera",
         if inventory.lens { "with a lens: depth of field" } else { "a pinhole: everything is sharp" }.to_owned(),
     );
-    for line in left_out(&inventory, settings, &assembled.unused_shaders) {
+    for line in left_out(&inventory, settings, &assembled.shading) {
         row("not needed", line);
     }
     text
@@ -87,13 +86,41 @@ fn tree(statistics: &Statistics) -> String {
     )
 }
 
+fn primitives(inventory: &Inventory) -> String {
+    let PrimitiveCount { spheres, ellipsoids, triangles } = inventory.bounded;
+    let counted = |count: usize, name: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {name}")),
+        _ => Some(format!("{} {name}s", thousands(count as u64))),
+    };
+    let kinds = [
+        counted(spheres, "sphere"),
+        counted(ellipsoids, "ellipsoid"),
+        counted(triangles, "triangle"),
+        counted(inventory.planes, "plane"),
+    ];
+    or_none(&kinds.into_iter().flatten().collect::<Vec<_>>())
+}
+
+fn textures(shading: &ShadingNeeds) -> String {
+    match shading.textures.len() {
+        0 => "none".to_owned(),
+        _ => format!("{}, {}", shading.textures.join(", "), bytes(shading.texture_bytes)),
+    }
+}
+
+fn or_none(names: &[String]) -> String {
+    if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+}
+
 /// What other scenes cost and this one does not.
-fn left_out(inventory: &Inventory, settings: &Settings, unused_shaders: &[String]) -> Vec<String> {
+fn left_out(inventory: &Inventory, settings: &Settings, shading: &ShadingNeeds) -> Vec<String> {
     let mut lines = Vec::new();
     if inventory.lights == 0 {
         lines.push("shadow rays: there are no lights, so the ambient light shows the scene".to_owned());
     } else if inventory.blockers.is_none() {
-        lines.push("a second accelerator for shadows: there is no glass".to_owned());
+        let why = if inventory.glass { "nothing in the first is of glass" } else { "there is no glass" };
+        lines.push(format!("a second accelerator for shadows: {why}"));
     }
     if !inventory.lens {
         lines.push("samples on a lens: the camera is a pinhole".to_owned());
@@ -101,8 +128,11 @@ fn left_out(inventory: &Inventory, settings: &Settings, unused_shaders: &[String
     if settings.rays_per_pixel() == 1 {
         lines.push("random numbers in the pixel: its one ray goes through the centre".to_owned());
     }
-    if !unused_shaders.is_empty() {
-        lines.push(format!("shaders that no object uses: {}", unused_shaders.join(", ")));
+    if shading.textures.is_empty() {
+        lines.push("texture coordinates: nothing has a texture".to_owned());
+    }
+    if !shading.unused.is_empty() {
+        lines.push(format!("shaders that no object uses: {}", shading.unused.join(", ")));
     }
     lines
 }

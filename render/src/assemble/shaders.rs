@@ -30,6 +30,19 @@ pub(super) struct ShaderTable<'a> {
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
+/// What the shaders of a scene need, and which it does not need.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ShadingNeeds {
+    /// The types of the shaders in use, each once.
+    pub types: Vec<String>,
+    /// The paths of the textures that were read, each once.
+    pub textures: Vec<String>,
+    /// The memory that they take, in bytes.
+    pub texture_bytes: usize,
+    /// The shaders that no object uses: they were not made, nor their textures read.
+    pub unused: Vec<String>,
+}
+
 struct Declared<'a> {
     kind: &'a ShaderKind,
     made: Option<u32>,
@@ -91,10 +104,18 @@ impl<'a> ShaderTable<'a> {
         number
     }
 
-    /// The names of the shaders that nothing has used.
-    pub(super) fn unused(&self) -> Vec<String> {
-        let unused = self.declared.iter().filter(|(_, declared)| declared.made.is_none());
-        unused.map(|(name, _)| (*name).to_owned()).collect()
+    /// What the shaders that were used need.
+    pub(super) fn needs(&self) -> ShadingNeeds {
+        let (used, unused): (Vec<_>, Vec<_>) = self.declared.iter().partition(|(_, declared)| declared.made.is_some());
+        let mut types: Vec<String> = used.iter().map(|(_, declared)| type_name(declared.kind).to_owned()).collect();
+        types.sort();
+        types.dedup();
+        ShadingNeeds {
+            types,
+            textures: self.textures.keys().cloned().collect(),
+            texture_bytes: self.textures.values().map(|texture| texture.bytes()).sum(),
+            unused: unused.iter().map(|(name, _)| (**name).to_owned()).collect(),
+        }
     }
 
     fn add(&mut self, shader: Box<dyn Shader>) -> u32 {
@@ -166,6 +187,19 @@ impl<'a> ShaderTable<'a> {
         };
         let directories: Vec<_> = self.texture_path.directories().map(named).collect();
         format!("looked in {}; `texturepath DIRECTORY` before the shader adds another", directories.join(", "))
+    }
+}
+
+/// A shader's type, as a scene names it.
+fn type_name(kind: &ShaderKind) -> &str {
+    match kind {
+        ShaderKind::Constant(_) => "constant",
+        ShaderKind::Diffuse(_) => "diffuse",
+        ShaderKind::Phong { .. } => "phong",
+        ShaderKind::Mirror(_) => "mirror",
+        ShaderKind::Glass { .. } => "glass",
+        ShaderKind::Shiny { .. } => "shiny",
+        ShaderKind::Other { block, .. } => &block.keyword.value,
     }
 }
 

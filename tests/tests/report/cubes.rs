@@ -59,5 +59,5 @@ fn a_cube_is_placed_by_its_transform() {
 fn a_cube_is_twelve_triangles() {
     let rendering = tests::Rendering::of(super::look([9.0; 3], [0.0; 3]) + WHITE + "object { shader white type box }");
     let assembled = rendering.assemble();
-    assert_eq!(assembled.scene.inventory(&assembled.settings).bounded_primitives, 12);
+    assert_eq!(assembled.scene.inventory(&assembled.settings).bounded.total(), 12);
 }

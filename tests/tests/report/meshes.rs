@@ -105,7 +105,7 @@ fn a_mesh_of_80000_triangles_looks_like_the_two_that_it_is_cut_from() {
         )
     };
     let (whole, cut) = (Rendering::of(scene(1)), Rendering::of(scene(200)));
-    assert_eq!(cut.assemble().scene.inventory(&cut.assemble().settings).bounded_primitives, 80_000);
+    assert_eq!(cut.assemble().scene.inventory(&cut.assemble().settings).bounded.total(), 80_000);
     for (whole, cut) in whole.film().pixels.into_iter().zip(cut.film().pixels) {
         assert_close(cut, whole.to_array().map(f64::from), 1e-5);
     }

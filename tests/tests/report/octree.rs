@@ -21,7 +21,7 @@ fn grid() -> Rendering {
 fn planes_stand_outside() {
     let assembled = grid().assemble();
     let inventory = assembled.scene.inventory(&Settings::default());
-    assert_eq!((inventory.bounded_primitives, inventory.planes), (64, 1));
+    assert_eq!((inventory.bounded.total(), inventory.planes), (64, 1));
 }
 
 #[test]
