@@ -133,18 +133,6 @@ impl RenderOptions {
     }
 }
 
-/// The name of an order, as on the command line.
-pub(crate) fn order_name(order: BucketOrder) -> &'static str {
-    match order {
-        BucketOrder::Hilbert => "hilbert",
-        BucketOrder::Spiral => "spiral",
-        BucketOrder::Column => "column",
-        BucketOrder::Row => "row",
-        BucketOrder::Diagonal => "diagonal",
-        BucketOrder::Random => "random",
-    }
-}
-
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let edge = |part: &str| part.trim().parse().ok().filter(|edge| (1..=LARGEST_EDGE).contains(edge));
     let sizes = text.split_once(['x', 'X']).and_then(|(width, height)| Some([edge(width)?, edge(height)?]));
@@ -171,13 +159,11 @@ fn parse_buckets(text: &str) -> Result<BucketOption, String> {
 }
 
 fn parse_order(text: &str) -> Result<(BucketOrder, bool), String> {
-    use BucketOrder::{Column, Diagonal, Hilbert, Random, Row, Spiral};
     let (name, reversed) = match text.strip_prefix("reverse-") {
         Some(name) => (name, true),
         None => (text, false),
     };
-    let order = [Hilbert, Spiral, Column, Row, Diagonal, Random].into_iter().find(|&order| order_name(order) == name);
-    let order = order.ok_or(
+    let order = BucketOrder::from_name(name).ok_or(
         "the orders are hilbert, spiral, column, row, diagonal and random, each also with `reverse-` before it",
     )?;
     Ok((order, reversed))

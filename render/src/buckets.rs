@@ -109,18 +109,9 @@ pub(crate) fn bucket_pixels(window: Crop, size: u32, tile: Tile) -> Crop {
 mod tests {
     use super::*;
 
-    const ORDERS: [BucketOrder; 6] = [
-        BucketOrder::Hilbert,
-        BucketOrder::Spiral,
-        BucketOrder::Column,
-        BucketOrder::Row,
-        BucketOrder::Diagonal,
-        BucketOrder::Random,
-    ];
-
     #[test]
     fn every_order_names_every_bucket_once() {
-        for order in ORDERS {
+        for order in BucketOrder::ALL {
             for (columns, rows) in [(1, 1), (1, 9), (7, 1), (5, 3), (8, 8), (20, 15)] {
                 let mut places: Vec<_> = bucket_order(order, columns, rows).iter().map(|t| (t.row, t.column)).collect();
                 places.sort_unstable();
@@ -132,7 +123,7 @@ mod tests {
 
     #[test]
     fn an_empty_grid_has_no_buckets() {
-        for order in ORDERS {
+        for order in BucketOrder::ALL {
             assert_eq!(bucket_order(order, 0, 0), []);
         }
     }

@@ -4,7 +4,7 @@ mod object;
 mod shader;
 mod words;
 
-use crate::scene_file::{Bucket, BucketOrder, Camera, CameraPlacement, Image, Lens, LightKind, TraceDepths};
+use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, LightKind, TraceDepths};
 use crate::scene_file::{SceneFile, Statement};
 use words::{Writer, color, floats, number, quote};
 
@@ -53,14 +53,7 @@ fn write_image(writer: &mut Writer, image: &Image) {
 }
 
 fn order(bucket: Bucket) -> String {
-    let name = match bucket.order {
-        BucketOrder::Hilbert => "hilbert",
-        BucketOrder::Spiral => "spiral",
-        BucketOrder::Column => "column",
-        BucketOrder::Row => "row",
-        BucketOrder::Diagonal => "diagonal",
-        BucketOrder::Random => "random",
-    };
+    let name = bucket.order.name();
     if bucket.reversed { format!("\"reverse {name}\"") } else { name.to_owned() }
 }
 

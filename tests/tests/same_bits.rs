@@ -10,15 +10,6 @@ use tests::Rendering;
 /// A textured one with meshes, one of glass and mirrors, one with depth of field.
 const SCENES: [&str; 3] = ["textures", "glass-mirror", "depth-of-field"];
 
-const ORDERS: [BucketOrder; 6] = [
-    BucketOrder::Hilbert,
-    BucketOrder::Spiral,
-    BucketOrder::Column,
-    BucketOrder::Row,
-    BucketOrder::Diagonal,
-    BucketOrder::Random,
-];
-
 fn assembled(name: &str, modules: Modules) -> Assembled {
     let text = scenes::find(name).expect("the scene is embedded").source().into_owned();
     Rendering { text, files: EmbeddedFiles, modules, lighting: Lighting::default() }.assemble()
@@ -80,7 +71,7 @@ fn any_bucket_order_gives_the_same_bits() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
         let usual = film(&assembled, &small(&assembled.settings));
-        for (order, reversed) in ORDERS.into_iter().flat_map(|order| [(order, false), (order, true)]) {
+        for (order, reversed) in BucketOrder::ALL.into_iter().flat_map(|order| [(order, false), (order, true)]) {
             let buckets = Buckets { size: 8, order, reversed };
             let other = film(&assembled, &Settings { buckets, ..small(&assembled.settings) });
             assert_same(name, &format!("{order:?}, reversed: {reversed}"), &usual, &other);

@@ -6,7 +6,6 @@ use render::{Inventory, Modules, Settings, ShadingNeeds};
 
 use crate::args::InspectArguments;
 use crate::input::{ReadyScene, SceneSource};
-use crate::options::order_name;
 use crate::output::print;
 use crate::report::{Failure, Show};
 
@@ -54,7 +53,7 @@ fn picture(settings: &Settings) -> String {
         window.height,
         buckets.size,
         if buckets.reversed { "reverse-" } else { "" },
-        order_name(buckets.order)
+        buckets.order.name()
     )
 }
 

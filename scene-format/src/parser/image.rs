@@ -54,21 +54,14 @@ impl<'s> Parser<'s> {
             // The quotes around `reverse row` were forgotten.
             (name, reversed) = (self.word(keyword)?.text, true);
         }
-        let order = match name {
-            "hilbert" => BucketOrder::Hilbert,
-            "spiral" => BucketOrder::Spiral,
-            "column" => BucketOrder::Column,
-            "row" => BucketOrder::Row,
-            "diagonal" => BucketOrder::Diagonal,
-            "random" => BucketOrder::Random,
-            _ => {
-                let warning = Diagnostic::warning(word.span, format!("unknown bucket order {}", quoted(word)))
-                    .label("taken as `hilbert`")
-                    .help("the orders are hilbert, spiral, column, row, diagonal, random");
-                self.context.report(warning);
-                BucketOrder::Hilbert
-            }
-        };
+        let order = BucketOrder::from_name(name).unwrap_or_else(|| {
+            let default = BucketOrder::default();
+            let warning = Diagnostic::warning(word.span, format!("unknown bucket order {}", quoted(word)))
+                .label(format!("taken as `{}`", default.name()))
+                .help(format!("the orders are {}", BucketOrder::ALL.map(BucketOrder::name).join(", ")));
+            self.context.report(warning);
+            default
+        });
         Ok(Bucket { size, order, reversed })
     }
 

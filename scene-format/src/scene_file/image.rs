@@ -46,6 +46,28 @@ pub enum BucketOrder {
     Random,
 }
 
+impl BucketOrder {
+    /// All orders.
+    pub const ALL: [Self; 6] = [Self::Hilbert, Self::Spiral, Self::Column, Self::Row, Self::Diagonal, Self::Random];
+
+    /// What a scene file calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hilbert => "hilbert",
+            Self::Spiral => "spiral",
+            Self::Column => "column",
+            Self::Row => "row",
+            Self::Diagonal => "diagonal",
+            Self::Random => "random",
+        }
+    }
+
+    /// The order of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|order| order.name() == name)
+    }
+}
+
 /// `trace-depths { ... }`: how often a ray may bounce. What the file leaves out is `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TraceDepths {

@@ -79,15 +79,7 @@ fn image() -> impl Strategy<Value = Image> {
 }
 
 fn bucket() -> impl Strategy<Value = Bucket> {
-    let orders = [
-        BucketOrder::Hilbert,
-        BucketOrder::Spiral,
-        BucketOrder::Column,
-        BucketOrder::Row,
-        BucketOrder::Diagonal,
-        BucketOrder::Random,
-    ];
-    let order = prop::sample::select(orders.to_vec());
+    let order = prop::sample::select(BucketOrder::ALL.to_vec());
     (1..=16384u32, order, any::<bool>()).prop_map(|(size, order, reversed)| Bucket { size, order, reversed })
 }
 
