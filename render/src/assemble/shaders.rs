@@ -9,7 +9,7 @@ use scene_format::{
 use shading::{Absorption, Color, ImageTexture, Shader, Texture};
 
 use super::color::linear;
-use crate::Shaders;
+use crate::Modules;
 
 /// What a surface gets whose own shader is not there: light grey.
 const DEFAULT_COLOR: Color = Color::grey(0.6);
@@ -20,11 +20,11 @@ const LARGEST_TEXTURE_BYTES: u64 = 1 << 30;
 
 /// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
 pub(super) struct ShaderTable<'a> {
-    constructors: Shaders,
+    modules: &'a Modules,
     texture_path: SearchPath,
     files: &'a dyn Files,
     declared: BTreeMap<&'a str, Declared<'a>>,
-    textures: BTreeMap<String, Arc<ImageTexture>>,
+    textures: BTreeMap<String, ReadTexture>,
     pub(super) made: Vec<Box<dyn Shader>>,
     default: Option<u32>,
     pub(super) diagnostics: Vec<Diagnostic>,
@@ -43,15 +43,21 @@ pub struct ShadingNeeds {
     pub unused: Vec<String>,
 }
 
+/// A texture that was read, and the memory that it takes.
+struct ReadTexture {
+    texture: Arc<dyn Texture>,
+    bytes: usize,
+}
+
 struct Declared<'a> {
     kind: &'a ShaderKind,
     made: Option<u32>,
 }
 
 impl<'a> ShaderTable<'a> {
-    pub(super) fn new(constructors: Shaders, texture_path: SearchPath, files: &'a dyn Files) -> Self {
+    pub(super) fn new(modules: &'a Modules, texture_path: SearchPath, files: &'a dyn Files) -> Self {
         Self {
-            constructors,
+            modules,
             texture_path,
             files,
             declared: BTreeMap::new(),
@@ -99,7 +105,7 @@ impl<'a> ShaderTable<'a> {
         if let Some(number) = self.default {
             return number;
         }
-        let number = self.add((self.constructors.constant)(DEFAULT_COLOR));
+        let number = self.add((self.modules.shaders.constant)(DEFAULT_COLOR));
         self.default = Some(number);
         number
     }
@@ -113,7 +119,7 @@ impl<'a> ShaderTable<'a> {
         ShadingNeeds {
             types,
             textures: self.textures.keys().cloned().collect(),
-            texture_bytes: self.textures.values().map(|texture| texture.bytes()).sum(),
+            texture_bytes: self.textures.values().map(|read| read.bytes).sum(),
             unused: unused.iter().map(|(name, _)| (**name).to_owned()).collect(),
         }
     }
@@ -125,23 +131,23 @@ impl<'a> ShaderTable<'a> {
 
     fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
         match kind {
-            ShaderKind::Constant(color) => (self.constructors.constant)(linear(color)),
+            ShaderKind::Constant(color) => (self.modules.shaders.constant)(linear(color)),
             ShaderKind::Diffuse(diffuse) => self.matt(diffuse),
             ShaderKind::Phong { diffuse, specular, exponent, .. } => {
-                (self.constructors.phong)(self.paint(diffuse), linear(specular), *exponent)
+                (self.modules.shaders.phong)(self.paint(diffuse), linear(specular), *exponent)
             }
-            ShaderKind::Mirror(reflection) => (self.constructors.mirror)(linear(reflection)),
+            ShaderKind::Mirror(reflection) => (self.modules.shaders.mirror)(linear(reflection)),
             ShaderKind::Glass { eta, color, absorption } => {
-                (self.constructors.glass)(*eta, linear(color), absorbing(absorption))
+                (self.modules.shaders.glass)(*eta, linear(color), absorbing(absorption))
             }
             ShaderKind::Shiny { diffuse, .. } | ShaderKind::Other { diffuse: Some(diffuse), .. } => self.matt(diffuse),
-            ShaderKind::Other { diffuse: None, .. } => (self.constructors.constant)(DEFAULT_COLOR),
+            ShaderKind::Other { diffuse: None, .. } => (self.modules.shaders.constant)(DEFAULT_COLOR),
         }
     }
 
     /// Phong without a highlight.
     fn matt(&mut self, diffuse: &Paint) -> Box<dyn Shader> {
-        (self.constructors.phong)(self.paint(diffuse), Color::BLACK, 1.0)
+        (self.modules.shaders.phong)(self.paint(diffuse), Color::BLACK, 1.0)
     }
 
     fn paint(&mut self, paint: &Paint) -> Arc<dyn Texture> {
@@ -158,7 +164,7 @@ impl<'a> ShaderTable<'a> {
     }
 
     /// A texture from its file, read once.
-    fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<ImageTexture>, Diagnostic> {
+    fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<dyn Texture>, Diagnostic> {
         let (path, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
             FileError::NotFound => Diagnostic::error(name.span, format!("there is no texture `{}`", name.value))
                 .label("no such file")
@@ -167,16 +173,17 @@ impl<'a> ShaderTable<'a> {
                 Diagnostic::error(name.span, format!("the texture `{}` cannot be read", name.value)).label(reason)
             }
         })?;
-        if let Some(texture) = self.textures.get(&path) {
-            return Ok(Arc::clone(texture));
+        if let Some(read) = self.textures.get(&path) {
+            return Ok(Arc::clone(&read.texture));
         }
-        let texture = decode(&bytes).map_err(|reason| {
+        let picture = decode(&bytes).map_err(|reason| {
             Diagnostic::error(name.span, format!("the texture `{}` is not a picture that can be read", name.value))
                 .label(reason)
                 .help("textures are PNG, JPG, GIF or BMP files")
         })?;
-        let texture = Arc::new(texture);
-        self.textures.insert(path, Arc::clone(&texture));
+        let bytes = picture.bytes();
+        let texture = (self.modules.texture)(picture);
+        self.textures.insert(path, ReadTexture { texture: Arc::clone(&texture), bytes });
         Ok(texture)
     }
 
