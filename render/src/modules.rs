@@ -4,7 +4,8 @@ use accel::Accelerator;
 use geometry::Primitives;
 use scene_format::{Files, Parsed, scene_file::BucketOrder};
 use shading::{
-    Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture, sunflow,
+    Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
+    sunflow,
 };
 
 use crate::{Dialect, Sampler, Tile, bucket_order, centred, jitter};

@@ -6,10 +6,10 @@ use scene_format::{
     Diagnostic, FileError, Files, SearchPath, Spanned,
     scene_file::{self, Paint, ShaderKind},
 };
-use shading::{Absorption, Color, ImageTexture, Shader, Texture};
+use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow::BrighterTexture};
 
 use super::color::linear;
-use crate::Modules;
+use crate::{Dialect, Modules};
 
 /// What a surface gets whose own shader is not there: light grey.
 const DEFAULT_COLOR: Color = Color::grey(0.6);
@@ -50,7 +50,7 @@ struct ReadTexture {
 }
 
 struct Declared<'a> {
-    kind: &'a ShaderKind,
+    shader: &'a scene_file::Shader,
     made: Option<u32>,
 }
 
@@ -70,7 +70,7 @@ impl<'a> ShaderTable<'a> {
 
     /// Takes note of a shader.
     pub(super) fn declare(&mut self, shader: &'a scene_file::Shader) {
-        self.declared.insert(&shader.name.value, Declared { kind: &shader.kind, made: None });
+        self.declared.insert(&shader.name.value, Declared { shader, made: None });
     }
 
     /// The number of the shader with a name.
@@ -92,12 +92,32 @@ impl<'a> ShaderTable<'a> {
         if let Some(made) = declared.made {
             return made;
         }
-        let shader = self.make(declared.kind);
+        let shader = declared.shader;
+        if self.modules.dialect == Dialect::Sunflow {
+            self.diagnostics.extend(warn_of_gloss(shader));
+        }
+        let shader = self.make(&shader.kind);
         let number = self.add(shader);
         if let Some(declared) = self.declared.get_mut(name.value.as_str()) {
             declared.made = Some(number);
         }
         number
+    }
+
+    /// The number of a shader like the one with a name, for a surface on which light counts for more: its length multiplies the
+    /// cosines between a plane's normal and the lights, as in Sunflow. Shaders that ask for no light are as they are.
+    pub(super) fn used_brighter(&mut self, name: &Spanned<String>, by: f32) -> u32 {
+        // The plain one, too: so it is known to be in use.
+        let plain = self.used(name);
+        let declared = self.declared.get(name.value.as_str()).map(|declared| &declared.shader.kind);
+        match declared.and_then(matt_parts) {
+            Some((paint, specular, exponent)) if by != 1.0 => {
+                let texture = self.paint(paint);
+                let diffuse = Arc::new(BrighterTexture { texture, by });
+                self.add((self.modules.shaders.phong)(diffuse, specular * by, exponent))
+            }
+            _ => plain,
+        }
     }
 
     /// The shader of objects that have none.
@@ -113,7 +133,8 @@ impl<'a> ShaderTable<'a> {
     /// What the shaders that were used need.
     pub(super) fn needs(&self) -> ShadingNeeds {
         let (used, unused): (Vec<_>, Vec<_>) = self.declared.iter().partition(|(_, declared)| declared.made.is_some());
-        let mut types: Vec<String> = used.iter().map(|(_, declared)| type_name(declared.kind).to_owned()).collect();
+        let mut types: Vec<String> =
+            used.iter().map(|(_, declared)| type_name(&declared.shader.kind).to_owned()).collect();
         types.sort();
         types.dedup();
         ShadingNeeds {
@@ -130,24 +151,17 @@ impl<'a> ShaderTable<'a> {
     }
 
     fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
+        if let Some((paint, specular, exponent)) = matt_parts(kind) {
+            return (self.modules.shaders.phong)(self.paint(paint), specular, exponent);
+        }
         match kind {
             ShaderKind::Constant(color) => (self.modules.shaders.constant)(linear(color)),
-            ShaderKind::Diffuse(diffuse) => self.matt(diffuse),
-            ShaderKind::Phong { diffuse, specular, exponent, .. } => {
-                (self.modules.shaders.phong)(self.paint(diffuse), linear(specular), *exponent)
-            }
             ShaderKind::Mirror(reflection) => (self.modules.shaders.mirror)(linear(reflection)),
             ShaderKind::Glass { eta, color, absorption } => {
                 (self.modules.shaders.glass)(*eta, linear(color), absorbing(absorption))
             }
-            ShaderKind::Shiny { diffuse, .. } | ShaderKind::Other { diffuse: Some(diffuse), .. } => self.matt(diffuse),
-            ShaderKind::Other { diffuse: None, .. } => (self.modules.shaders.constant)(DEFAULT_COLOR),
+            _ => (self.modules.shaders.constant)(DEFAULT_COLOR),
         }
-    }
-
-    /// Phong without a highlight.
-    fn matt(&mut self, diffuse: &Paint) -> Box<dyn Shader> {
-        (self.modules.shaders.phong)(self.paint(diffuse), Color::BLACK, 1.0)
     }
 
     fn paint(&mut self, paint: &Paint) -> Arc<dyn Texture> {
@@ -195,6 +209,33 @@ impl<'a> ShaderTable<'a> {
         let directories: Vec<_> = self.texture_path.directories().map(named).collect();
         format!("looked in {}; `texturepath DIRECTORY` before the shader adds another", directories.join(", "))
     }
+}
+
+/// The paint, highlight and exponent of what is rendered as phong; without a highlight where the type is another.
+fn matt_parts(kind: &ShaderKind) -> Option<(&Paint, Color, f32)> {
+    match kind {
+        ShaderKind::Phong { diffuse, specular, exponent, .. } => Some((diffuse, linear(specular), *exponent)),
+        ShaderKind::Diffuse(diffuse)
+        | ShaderKind::Shiny { diffuse, .. }
+        | ShaderKind::Other { diffuse: Some(diffuse), .. } => Some((diffuse, Color::BLACK, 1.0)),
+        ShaderKind::Constant(_)
+        | ShaderKind::Mirror(_)
+        | ShaderKind::Glass { .. }
+        | ShaderKind::Other { diffuse: None, .. } => None,
+    }
+}
+
+/// What Sunflow would reflect in a phong surface, and girasol does not.
+fn warn_of_gloss(shader: &scene_file::Shader) -> Option<Diagnostic> {
+    /// Where the file does not say.
+    const SUNFLOW_S_SAMPLES: u32 = 4;
+    let ShaderKind::Phong { specular, samples, .. } = &shader.kind else { return None };
+    let samples = samples.unwrap_or(SUNFLOW_S_SAMPLES);
+    (samples > 0 && linear(specular) != Color::BLACK).then(|| {
+        Diagnostic::warning(shader.name.span, format!("`{}` is rendered without glossy reflections", shader.name.value))
+            .label(format!("Sunflow follows {samples} of them from each point seen"))
+            .help("to compare pictures, let the shader end with `samples 0`, also for Sunflow")
+    })
 }
 
 /// A shader's type, as a scene names it.
