@@ -34,11 +34,15 @@ pub(crate) struct RenderOptions {
     /// How to find what a ray meets first. The picture does not depend on it.
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// How surfaces and lights work. `report`: as the report of 2010 describes. `sunflow`: as Sunflow 0.07.3 computes it, to be held
+    /// against its pictures; without lights all is black. [default: report]
+    #[arg(long, value_enum)]
+    lighting: Option<LightingName>,
     /// How light falls off with the distance d from a light of power P: `linear` is max(0, 1 - d/P), `log` is P / (ln(d + 1) + 1).
-    /// [default: linear]
+    /// [default: linear; with `--lighting sunflow` the inverse square]
     #[arg(long, value_enum)]
     falloff: Option<FalloffName>,
-    /// The share of a surface's colour that shows in a scene without lights. [default: 0.05]
+    /// The share of a surface's colour that shows in a scene without lights, with the report's lighting. [default: 0.05]
     #[arg(long, value_name = "SHARE", value_parser = parse_share)]
     ambient: Option<f32>,
     /// Make of each light a cube of N x N x N lights, SPACING apart, so that shadows get soft edges. N is 1 to 8; without a
@@ -63,6 +67,12 @@ pub(crate) enum AcceleratorName {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
+enum LightingName {
+    Report,
+    Sunflow,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum FalloffName {
     Linear,
     Log,
@@ -77,6 +87,10 @@ struct BucketOption {
 impl RenderOptions {
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
+        let modules = match self.lighting {
+            None | Some(LightingName::Report) => modules,
+            Some(LightingName::Sunflow) => modules.lit_as_by_sunflow(),
+        };
         let accelerator = match self.accelerator {
             None => modules.accelerator,
             Some(AcceleratorName::None) => accel::none,

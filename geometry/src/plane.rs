@@ -40,6 +40,12 @@ impl Plane {
         Some(Self { point, normal, gradients: [v.cross(cross) / length_squared, cross.cross(u) / length_squared] })
     }
 
+    /// The same plane, all of which shows the texture's place (0, 0).
+    #[must_use]
+    pub fn without_texture_coordinates(self) -> Self {
+        Self { gradients: [DVec3::ZERO; 2], ..self }
+    }
+
     /// The same plane under an affine map; `None` if the map has no inverse.
     pub fn transformed(&self, by: &crate::Transform) -> Option<Self> {
         let to_local = by.inverse()?.linear.transpose();
@@ -117,6 +123,7 @@ mod tests {
         assert_eq!(uv_below(&floor, 2.5, 5.0), Vec2::new(0.25, 0.5));
         assert_eq!(uv_below(&floor, 12.5, -5.0), Vec2::new(0.25, 0.5));
         assert_eq!(uv_below(&floor, -1e-9, 0.0).x, 0.0);
+        assert_eq!(uv_below(&floor.without_texture_coordinates(), 2.5, 5.0), Vec2::ZERO);
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub enum Corners<T> {
     /// None are given.
     #[default]
     None,
+    /// The same at every corner.
+    Everywhere(T),
     /// One for each point.
     PerPoint(Vec<T>),
     /// Three for each triangle.
@@ -35,6 +37,7 @@ impl<T: Copy> Corners<T> {
     fn of(&self, face: usize, corners: [u32; 3]) -> Option<[T; 3]> {
         match self {
             Self::None => None,
+            Self::Everywhere(value) => Some([*value; 3]),
             Self::PerPoint(values) => Some(corners.map(|corner| values[corner as usize])),
             Self::PerTriangle(values) => Some(values[face]),
         }
@@ -246,7 +249,7 @@ impl<T> Corners<T> {
     /// How many values are missing.
     fn missing(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> usize {
         match self {
-            Self::None => 0,
+            Self::None | Self::Everywhere(_) => 0,
             Self::PerPoint(values) => positions.len().saturating_sub(values.len()),
             Self::PerTriangle(values) => triangles.len().saturating_sub(values.len()),
         }
@@ -254,7 +257,7 @@ impl<T> Corners<T> {
 
     fn bytes(&self) -> usize {
         match self {
-            Self::None => 0,
+            Self::None | Self::Everywhere(_) => 0,
             Self::PerPoint(values) => size_of_val(&values[..]),
             Self::PerTriangle(values) => size_of_val(&values[..]),
         }

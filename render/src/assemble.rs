@@ -17,7 +17,7 @@ use scene_format::{
 };
 use shading::{Bounces, Color, PointLight, SoftShadows};
 
-use crate::{Camera, Modules, Scene, Settings};
+use crate::{Camera, Dialect, Modules, Raster, Scene, Settings};
 use color::linear;
 use shaders::ShaderTable;
 pub use shaders::ShadingNeeds;
@@ -67,7 +67,7 @@ pub fn assemble(
 ) -> Result<Assembled, Vec<Diagnostic>> {
     let mut parts = Parts {
         modules,
-        shaders: ShaderTable::new(modules.shaders, texture_path(file), files),
+        shaders: ShaderTable::new(modules, texture_path(file), files),
         names: BTreeSet::new(),
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
@@ -197,6 +197,10 @@ impl<'a> Parts<'a> {
         let all_cast_shadows = (0..self.bounded.len()).all(casts_shadow);
         let blockers: Option<Box<dyn Accelerator>> = (!lights.is_empty() && !all_cast_shadows)
             .then(|| (self.modules.accelerator)(self.bounded.subset(casts_shadow)));
+        let (secondary_background, raster) = match self.modules.dialect {
+            Dialect::Report => (self.background, Raster::BetweenEdges),
+            Dialect::Sunflow => (Color::BLACK, Raster::Sunflow),
+        };
         let scene = Scene {
             camera,
             accelerator: (self.modules.accelerator)(self.bounded.clone()),
@@ -208,6 +212,8 @@ impl<'a> Parts<'a> {
             lights,
             ambient: lighting.ambient,
             background: self.background,
+            secondary_background,
+            raster,
             bounces: self.bounces,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,

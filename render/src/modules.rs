@@ -3,9 +3,12 @@ use std::sync::Arc;
 use accel::Accelerator;
 use geometry::Primitives;
 use scene_format::{Files, Parsed, scene_file::BucketOrder};
-use shading::{Absorption, Color, Constant, Falloff, Glass, Mirror, Phong, PointLight, Shader, SoftShadows, Texture};
+use shading::{
+    Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
+    sunflow,
+};
 
-use crate::{Sampler, Tile, bucket_order, jitter};
+use crate::{Dialect, Sampler, Tile, bucket_order, centred, jitter};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -21,6 +24,8 @@ pub struct Modules {
     pub accelerator: fn(Primitives) -> Box<dyn Accelerator>,
     /// Make the shaders.
     pub shaders: Shaders,
+    /// Makes a texture of a picture's texels.
+    pub texture: fn(ImageTexture) -> Arc<dyn Texture>,
     /// How a light's light falls off with the distance.
     pub falloff: Falloff,
     /// The lights that take the place of one when its shadows are to be soft.
@@ -29,6 +34,23 @@ pub struct Modules {
     pub sampler: Sampler,
     /// The order in which buckets are rendered, from the number of columns and rows; each bucket exactly once.
     pub bucket_order: fn(BucketOrder, u32, u32) -> Vec<Tile>,
+    /// How the scene's words are meant.
+    pub dialect: Dialect,
+}
+
+impl Modules {
+    /// The same parts, but shading, light and sampling are those of Sunflow 0.07.3, to be compared with its pictures.
+    #[must_use]
+    pub fn lit_as_by_sunflow(self) -> Self {
+        Self {
+            shaders: Shaders::sunflow(),
+            texture: |picture| Arc::new(sunflow::SmoothTexture { picture }),
+            falloff: sunflow::inverse_square_falloff,
+            sampler: centred,
+            dialect: Dialect::Sunflow,
+            ..self
+        }
+    }
 }
 
 /// What makes each of the report's four shaders.
@@ -44,16 +66,30 @@ pub struct Shaders {
     pub glass: fn(f32, Color, Option<Absorption>) -> Box<dyn Shader>,
 }
 
+impl Shaders {
+    /// Sunflow's.
+    pub fn sunflow() -> Self {
+        Self {
+            constant: |color| Box::new(sunflow::Constant { color }),
+            phong: |diffuse, specular, exponent| Box::new(sunflow::Phong { diffuse, specular, exponent }),
+            mirror: |reflection| Box::new(sunflow::Mirror { reflection }),
+            glass: |eta, color, absorption| Box::new(sunflow::Glass { eta, color, absorption }),
+        }
+    }
+}
+
 impl Default for Modules {
     fn default() -> Self {
         Self {
             parse: scene_format::parse,
             accelerator: accel::octree,
             shaders: Shaders::default(),
+            texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
             sampler: jitter,
             bucket_order,
+            dialect: Dialect::default(),
         }
     }
 }

@@ -94,7 +94,6 @@ fn render_area(scene: &Scene, settings: &Settings, area: Crop, tracer: &Tracer<'
 fn pixel_color(scene: &Scene, settings: &Settings, pixel: [u32; 2], tracer: &Tracer<'_>) -> Color {
     let zones = 1 << settings.aa;
     let count = settings.rays_per_pixel();
-    let size = DVec2::new(f64::from(settings.size[0]), f64::from(settings.size[1]));
     let corner = DVec2::new(f64::from(pixel[0]), f64::from(pixel[1]));
     let total: Color = (0..count)
         .map(|index| {
@@ -106,8 +105,8 @@ fn pixel_color(scene: &Scene, settings: &Settings, pixel: [u32; 2], tracer: &Tra
                 let in_zone = DVec2::new(f64::from(random(0)), f64::from(random(1)));
                 (DVec2::new(f64::from(zone % zones), f64::from(zone / zones)) + in_zone) / f64::from(zones)
             };
-            let place = (corner + in_pixel) / size;
-            let ray = scene.camera.ray(DVec2::new(place.x, 1.0 - place.y), &|| Vec2::new(random(2), random(3)));
+            let place = scene.raster.film(corner + in_pixel, settings.size);
+            let ray = scene.camera.ray(place, &|| Vec2::new(random(2), random(3)));
             tracer.camera_ray(&ray)
         })
         .sum();

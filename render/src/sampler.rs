@@ -22,6 +22,11 @@ pub fn jitter(sample: Sample) -> f32 {
     (bits >> 8) as f32 * (1.0 / (1 << 24) as f32)
 }
 
+/// Each zone's middle, however many samples it has; the lens as [`jitter`] does it. Sunflow's, without its jitter.
+pub fn centred(sample: Sample) -> f32 {
+    if sample.dimension < 2 { 0.5 } else { jitter(sample) }
+}
+
 /// Spreads each bit over all others. (Wellons 2018, "lowbias32".)
 pub(crate) fn scramble(mut bits: u32) -> u32 {
     bits ^= bits >> 16;

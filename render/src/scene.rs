@@ -3,7 +3,7 @@ use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, Surface};
 use glam::Vec2;
 use shading::{Bounces, Color, PointLight, Shader};
 
-use crate::{Camera, Sampler, Tile};
+use crate::{Camera, Raster, Sampler, Tile};
 
 /// Everything a picture needs, ready to be asked. Made by [`crate::assemble`].
 ///
@@ -21,7 +21,12 @@ pub struct Scene {
     pub(crate) shader_of: Vec<u32>,
     pub(crate) lights: Vec<PointLight>,
     pub(crate) ambient: f32,
+    /// What camera rays see where they hit nothing.
     pub(crate) background: Color,
+    /// What reflected and refracted rays see there: Sunflow's are left in the dark.
+    pub(crate) secondary_background: Color,
+    /// Where pixels lie in what the camera sees.
+    pub(crate) raster: Raster,
     pub(crate) bounces: Bounces,
     pub(crate) sampler: Sampler,
     pub(crate) bucket_order: fn(scene_format::scene_file::BucketOrder, u32, u32) -> Vec<Tile>,

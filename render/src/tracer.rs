@@ -24,11 +24,11 @@ impl<'a> Tracer<'a> {
     /// The light that comes into the camera along a ray.
     pub(crate) fn camera_ray(&self, ray: &Ray) -> Color {
         self.count(|rays| rays.camera += 1);
-        self.follow(ray, self.scene.bounces)
+        self.follow(ray, self.scene.bounces, self.scene.background)
     }
 
-    fn follow(&self, ray: &Ray, bounces: Bounces) -> Color {
-        let Some(hit) = self.scene.closest(ray) else { return self.scene.background };
+    fn follow(&self, ray: &Ray, bounces: Bounces, background: Color) -> Color {
+        let Some(hit) = self.scene.closest(ray) else { return background };
         let length = ray.direction.length();
         let at = ShadingPoint {
             world: self,
@@ -64,6 +64,6 @@ impl World for Tracer<'_> {
 
     fn trace(&self, ray: &Ray, bounces: Bounces) -> Color {
         self.count(|rays| rays.secondary += 1);
-        self.follow(ray, bounces)
+        self.follow(ray, bounces, self.scene.secondary_background)
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! * Colours are linear sRGB, not clamped; they become 8-bit sRGB only in the finished picture.
 //! * `n` is the unit shading normal on the viewer's side, `v` the unit vector to the viewer, `l` to a light.
-//! * Lighting is the report's: no division by pi, no inverse square; see [`Falloff`].
+//! * Lighting is the report's: no division by pi, no inverse square; see [`Falloff`]. The other one is in [`sunflow`].
 
 mod bounces;
 mod color;
@@ -19,6 +19,7 @@ pub mod optics;
 mod shader;
 mod shading_point;
 pub mod srgb;
+pub mod sunflow;
 mod texture;
 mod world;
 

@@ -58,7 +58,7 @@ impl Shader for Phong {
 }
 
 /// `base^exponent` for a base in 0..=1 (or a rounding above). Whole exponents, the usual ones, by squaring.
-fn power(base: f32, exponent: f32) -> f32 {
+pub(crate) fn power(base: f32, exponent: f32) -> f32 {
     const LARGEST_BY_SQUARING: f32 = 65536.0;
     if !(0.0..=LARGEST_BY_SQUARING).contains(&exponent) || exponent != exponent.trunc() {
         return libm::powf(base, exponent);

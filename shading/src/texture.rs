@@ -40,8 +40,18 @@ impl ImageTexture {
         size_of_val(&self.texels[..])
     }
 
+    /// The width and height in texels, each at least 1.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.width, self.height]
+    }
+
+    /// A texel as the file has it; rows count from the top.
+    pub(crate) fn texel_bytes(&self, column: usize, row: usize) -> [u8; 3] {
+        self.texels[row * self.width + column]
+    }
+
     fn texel(&self, column: usize, row: usize) -> Color {
-        self.texels[row * self.width + column].map(srgb::decode_byte).into()
+        self.texel_bytes(column, row).map(srgb::decode_byte).into()
     }
 }
 

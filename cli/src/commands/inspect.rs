@@ -118,7 +118,7 @@ fn left_out(inventory: &Inventory, settings: &Settings, shading: &ShadingNeeds) 
     if inventory.lights == 0 {
         lines.push("shadow rays: there are no lights, so the ambient light shows the scene".to_owned());
     } else if inventory.blockers.is_none() {
-        let why = if inventory.glass { "nothing in the first is of glass" } else { "there is no glass" };
+        let why = if inventory.glass { "nothing in the first is of glass" } else { "everything casts a shadow" };
         lines.push(format!("a second accelerator for shadows: {why}"));
     }
     if !inventory.lens {

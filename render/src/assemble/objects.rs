@@ -5,6 +5,8 @@ use scene_format::{
     scene_file::{self, Instance, MeshForm, Object, PerVertex, PlaneOrientation, Shape, SphereForm, Triple},
 };
 
+use crate::Dialect;
+
 use super::{Parts, placement::dvec3, placement::invertible};
 
 /// Coordinates beyond this make boxes and distances overflow.
@@ -47,9 +49,12 @@ impl<'a> Parts<'a> {
             Shape::Sphere(form) => self.add_sphere(*form, shaders, to_world),
             Shape::Plane { point, orientation } => self.add_plane(*point, *orientation, shaders, to_world, shape.span),
             Shape::Box => self.add_mesh(placed(unit_cube(), to_world), None, shaders, shape.span),
-            Shape::Mesh(mesh) => {
-                self.add_mesh(placed(from_file(mesh), to_world), mesh.face_shaders.as_deref(), shaders, shape.span)
-            }
+            Shape::Mesh(mesh) => self.add_mesh(
+                placed(from_file(mesh, self.modules.dialect), to_world),
+                mesh.face_shaders.as_deref(),
+                shaders,
+                shape.span,
+            ),
             Shape::Other(_) => Ok(()),
         };
         match added {
@@ -115,8 +120,17 @@ impl<'a> Parts<'a> {
                 }
             })
         })?;
+        let (plane, shader) = match (self.modules.dialect, orientation) {
+            (Dialect::Sunflow, PlaneOrientation::Normal(normal)) => {
+                let number = match shaders.first() {
+                    Some(name) => self.shaders.used_brighter(name, Vec3::from(normal).length()),
+                    None => self.shaders.default_shader(),
+                };
+                (plane.without_texture_coordinates(), number)
+            }
+            _ => (plane, self.first_shader(shaders)),
+        };
         self.planes.push(plane);
-        let shader = self.first_shader(shaders);
         self.shader_of_planes.push(shader);
         Ok(())
     }
@@ -193,7 +207,7 @@ fn check_reach(points: impl IntoIterator<Item = Vec3>) -> Result<(), NotPlaced> 
 }
 
 /// A mesh as its file gives it.
-fn from_file(mesh: &scene_file::Mesh) -> Mesh {
+fn from_file(mesh: &scene_file::Mesh, dialect: Dialect) -> Mesh {
     let normals = match (&mesh.normals, mesh.form) {
         (_, MeshForm::FlatLines) | (PerVertex::None, _) => Corners::None,
         (PerVertex::Vertex(normals), _) => Corners::PerPoint(normals.iter().copied().map(Vec3::from).collect()),
@@ -202,7 +216,10 @@ fn from_file(mesh: &scene_file::Mesh) -> Mesh {
         }
     };
     let uvs = match &mesh.uvs {
-        PerVertex::None => Corners::None,
+        PerVertex::None => match dialect {
+            Dialect::Report => Corners::None,
+            Dialect::Sunflow => Corners::Everywhere(Vec2::ZERO),
+        },
         PerVertex::Vertex(uvs) => Corners::PerPoint(uvs.iter().copied().map(Vec2::from).collect()),
         PerVertex::FaceVarying(uvs) => {
             Corners::PerTriangle(uvs.iter().map(|corners| corners.map(Vec2::from)).collect())
@@ -224,6 +241,7 @@ fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
     let turned = |normal: Vec3| (matrix * normal.as_dvec3()).normalize_or_zero().as_vec3();
     match &mut mesh.normals {
         Corners::None => {}
+        Corners::Everywhere(normal) => *normal = turned(*normal),
         Corners::PerPoint(normals) => normals.iter_mut().for_each(|normal| *normal = turned(*normal)),
         Corners::PerTriangle(normals) => normals.iter_mut().for_each(|corners| *corners = corners.map(turned)),
     }
@@ -243,6 +261,6 @@ fn turn_round(mesh: &mut Mesh) {
         Corners::PerTriangle(uvs) => uvs.iter_mut().for_each(|corners| corners.swap(1, 2)),
         // The basis of the two edges, which have changed places.
         uvs @ Corners::None => *uvs = Corners::PerTriangle(vec![[Vec2::ZERO, Vec2::Y, Vec2::X]; mesh.triangles.len()]),
-        Corners::PerPoint(_) => {}
+        Corners::PerPoint(_) | Corners::Everywhere(_) => {}
     }
 }

@@ -6,10 +6,10 @@ use scene_format::{
     Diagnostic, FileError, Files, SearchPath, Spanned,
     scene_file::{self, Paint, ShaderKind},
 };
-use shading::{Absorption, Color, ImageTexture, Shader, Texture};
+use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow::BrighterTexture};
 
 use super::color::linear;
-use crate::Shaders;
+use crate::{Dialect, Modules};
 
 /// What a surface gets whose own shader is not there: light grey.
 const DEFAULT_COLOR: Color = Color::grey(0.6);
@@ -20,11 +20,11 @@ const LARGEST_TEXTURE_BYTES: u64 = 1 << 30;
 
 /// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
 pub(super) struct ShaderTable<'a> {
-    constructors: Shaders,
+    modules: &'a Modules,
     texture_path: SearchPath,
     files: &'a dyn Files,
     declared: BTreeMap<&'a str, Declared<'a>>,
-    textures: BTreeMap<String, Arc<ImageTexture>>,
+    textures: BTreeMap<String, ReadTexture>,
     pub(super) made: Vec<Box<dyn Shader>>,
     default: Option<u32>,
     pub(super) diagnostics: Vec<Diagnostic>,
@@ -43,15 +43,21 @@ pub struct ShadingNeeds {
     pub unused: Vec<String>,
 }
 
+/// A texture that was read, and the memory that it takes.
+struct ReadTexture {
+    texture: Arc<dyn Texture>,
+    bytes: usize,
+}
+
 struct Declared<'a> {
-    kind: &'a ShaderKind,
+    shader: &'a scene_file::Shader,
     made: Option<u32>,
 }
 
 impl<'a> ShaderTable<'a> {
-    pub(super) fn new(constructors: Shaders, texture_path: SearchPath, files: &'a dyn Files) -> Self {
+    pub(super) fn new(modules: &'a Modules, texture_path: SearchPath, files: &'a dyn Files) -> Self {
         Self {
-            constructors,
+            modules,
             texture_path,
             files,
             declared: BTreeMap::new(),
@@ -64,7 +70,7 @@ impl<'a> ShaderTable<'a> {
 
     /// Takes note of a shader.
     pub(super) fn declare(&mut self, shader: &'a scene_file::Shader) {
-        self.declared.insert(&shader.name.value, Declared { kind: &shader.kind, made: None });
+        self.declared.insert(&shader.name.value, Declared { shader, made: None });
     }
 
     /// The number of the shader with a name.
@@ -86,7 +92,11 @@ impl<'a> ShaderTable<'a> {
         if let Some(made) = declared.made {
             return made;
         }
-        let shader = self.make(declared.kind);
+        let shader = declared.shader;
+        if self.modules.dialect == Dialect::Sunflow {
+            self.diagnostics.extend(warn_of_gloss(shader));
+        }
+        let shader = self.make(&shader.kind);
         let number = self.add(shader);
         if let Some(declared) = self.declared.get_mut(name.value.as_str()) {
             declared.made = Some(number);
@@ -94,12 +104,28 @@ impl<'a> ShaderTable<'a> {
         number
     }
 
+    /// The number of a shader like the one with a name, for a surface on which light counts for more: its length multiplies the
+    /// cosines between a plane's normal and the lights, as in Sunflow. Shaders that ask for no light are as they are.
+    pub(super) fn used_brighter(&mut self, name: &Spanned<String>, by: f32) -> u32 {
+        // The plain one, too: so it is known to be in use.
+        let plain = self.used(name);
+        let declared = self.declared.get(name.value.as_str()).map(|declared| &declared.shader.kind);
+        match declared.and_then(matt_parts) {
+            Some((paint, specular, exponent)) if by != 1.0 => {
+                let texture = self.paint(paint);
+                let diffuse = Arc::new(BrighterTexture { texture, by });
+                self.add((self.modules.shaders.phong)(diffuse, specular * by, exponent))
+            }
+            _ => plain,
+        }
+    }
+
     /// The shader of objects that have none.
     pub(super) fn default_shader(&mut self) -> u32 {
         if let Some(number) = self.default {
             return number;
         }
-        let number = self.add((self.constructors.constant)(DEFAULT_COLOR));
+        let number = self.add((self.modules.shaders.constant)(DEFAULT_COLOR));
         self.default = Some(number);
         number
     }
@@ -107,13 +133,14 @@ impl<'a> ShaderTable<'a> {
     /// What the shaders that were used need.
     pub(super) fn needs(&self) -> ShadingNeeds {
         let (used, unused): (Vec<_>, Vec<_>) = self.declared.iter().partition(|(_, declared)| declared.made.is_some());
-        let mut types: Vec<String> = used.iter().map(|(_, declared)| type_name(declared.kind).to_owned()).collect();
+        let mut types: Vec<String> =
+            used.iter().map(|(_, declared)| type_name(&declared.shader.kind).to_owned()).collect();
         types.sort();
         types.dedup();
         ShadingNeeds {
             types,
             textures: self.textures.keys().cloned().collect(),
-            texture_bytes: self.textures.values().map(|texture| texture.bytes()).sum(),
+            texture_bytes: self.textures.values().map(|read| read.bytes).sum(),
             unused: unused.iter().map(|(name, _)| (**name).to_owned()).collect(),
         }
     }
@@ -124,24 +151,17 @@ impl<'a> ShaderTable<'a> {
     }
 
     fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
-        match kind {
-            ShaderKind::Constant(color) => (self.constructors.constant)(linear(color)),
-            ShaderKind::Diffuse(diffuse) => self.matt(diffuse),
-            ShaderKind::Phong { diffuse, specular, exponent, .. } => {
-                (self.constructors.phong)(self.paint(diffuse), linear(specular), *exponent)
-            }
-            ShaderKind::Mirror(reflection) => (self.constructors.mirror)(linear(reflection)),
-            ShaderKind::Glass { eta, color, absorption } => {
-                (self.constructors.glass)(*eta, linear(color), absorbing(absorption))
-            }
-            ShaderKind::Shiny { diffuse, .. } | ShaderKind::Other { diffuse: Some(diffuse), .. } => self.matt(diffuse),
-            ShaderKind::Other { diffuse: None, .. } => (self.constructors.constant)(DEFAULT_COLOR),
+        if let Some((paint, specular, exponent)) = matt_parts(kind) {
+            return (self.modules.shaders.phong)(self.paint(paint), specular, exponent);
         }
-    }
-
-    /// Phong without a highlight.
-    fn matt(&mut self, diffuse: &Paint) -> Box<dyn Shader> {
-        (self.constructors.phong)(self.paint(diffuse), Color::BLACK, 1.0)
+        match kind {
+            ShaderKind::Constant(color) => (self.modules.shaders.constant)(linear(color)),
+            ShaderKind::Mirror(reflection) => (self.modules.shaders.mirror)(linear(reflection)),
+            ShaderKind::Glass { eta, color, absorption } => {
+                (self.modules.shaders.glass)(*eta, linear(color), absorbing(absorption))
+            }
+            _ => (self.modules.shaders.constant)(DEFAULT_COLOR),
+        }
     }
 
     fn paint(&mut self, paint: &Paint) -> Arc<dyn Texture> {
@@ -158,7 +178,7 @@ impl<'a> ShaderTable<'a> {
     }
 
     /// A texture from its file, read once.
-    fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<ImageTexture>, Diagnostic> {
+    fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<dyn Texture>, Diagnostic> {
         let (path, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
             FileError::NotFound => Diagnostic::error(name.span, format!("there is no texture `{}`", name.value))
                 .label("no such file")
@@ -167,16 +187,17 @@ impl<'a> ShaderTable<'a> {
                 Diagnostic::error(name.span, format!("the texture `{}` cannot be read", name.value)).label(reason)
             }
         })?;
-        if let Some(texture) = self.textures.get(&path) {
-            return Ok(Arc::clone(texture));
+        if let Some(read) = self.textures.get(&path) {
+            return Ok(Arc::clone(&read.texture));
         }
-        let texture = decode(&bytes).map_err(|reason| {
+        let picture = decode(&bytes).map_err(|reason| {
             Diagnostic::error(name.span, format!("the texture `{}` is not a picture that can be read", name.value))
                 .label(reason)
                 .help("textures are PNG, JPG, GIF or BMP files")
         })?;
-        let texture = Arc::new(texture);
-        self.textures.insert(path, Arc::clone(&texture));
+        let bytes = picture.bytes();
+        let texture = (self.modules.texture)(picture);
+        self.textures.insert(path, ReadTexture { texture: Arc::clone(&texture), bytes });
         Ok(texture)
     }
 
@@ -188,6 +209,33 @@ impl<'a> ShaderTable<'a> {
         let directories: Vec<_> = self.texture_path.directories().map(named).collect();
         format!("looked in {}; `texturepath DIRECTORY` before the shader adds another", directories.join(", "))
     }
+}
+
+/// The paint, highlight and exponent of what is rendered as phong; without a highlight where the type is another.
+fn matt_parts(kind: &ShaderKind) -> Option<(&Paint, Color, f32)> {
+    match kind {
+        ShaderKind::Phong { diffuse, specular, exponent, .. } => Some((diffuse, linear(specular), *exponent)),
+        ShaderKind::Diffuse(diffuse)
+        | ShaderKind::Shiny { diffuse, .. }
+        | ShaderKind::Other { diffuse: Some(diffuse), .. } => Some((diffuse, Color::BLACK, 1.0)),
+        ShaderKind::Constant(_)
+        | ShaderKind::Mirror(_)
+        | ShaderKind::Glass { .. }
+        | ShaderKind::Other { diffuse: None, .. } => None,
+    }
+}
+
+/// What Sunflow would reflect in a phong surface, and girasol does not.
+fn warn_of_gloss(shader: &scene_file::Shader) -> Option<Diagnostic> {
+    /// Where the file does not say.
+    const SUNFLOW_S_SAMPLES: u32 = 4;
+    let ShaderKind::Phong { specular, samples, .. } = &shader.kind else { return None };
+    let samples = samples.unwrap_or(SUNFLOW_S_SAMPLES);
+    (samples > 0 && linear(specular) != Color::BLACK).then(|| {
+        Diagnostic::warning(shader.name.span, format!("`{}` is rendered without glossy reflections", shader.name.value))
+            .label(format!("Sunflow follows {samples} of them from each point seen"))
+            .help("to compare pictures, let the shader end with `samples 0`, also for Sunflow")
+    })
 }
 
 /// A shader's type, as a scene names it.
