@@ -10,13 +10,14 @@
 
 use std::fs;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use glam::{DVec2, Vec2};
 use render::{Assembled, Film, Lighting, Modules, Scene};
-use scene_format::{FileError, Files, Severity};
+use scene_format::Severity;
 use shading::Falloff;
+use tests::{Beside, scenes_of, shared_folder};
 
 /// The longest that any scene may take: generous, against a rendering that never ends.
 const LONGEST: Duration = Duration::from_secs(120);
@@ -26,33 +27,6 @@ const TOLERANCE: i64 = 1;
 
 /// The most pixels of a picture that may differ at all: rays that graze an edge.
 const MOST_DIFFERING: usize = 10;
-
-fn shared() -> Option<PathBuf> {
-    let Some(folder) = std::env::var_os("GIRASOL_SHARED").map(PathBuf::from) else {
-        println!("skipped: set GIRASOL_SHARED to the folder of the course's scenes");
-        return None;
-    };
-    assert!(folder.is_dir(), "GIRASOL_SHARED is {}, which is no folder", folder.display());
-    Some(folder)
-}
-
-struct Beside(PathBuf);
-
-impl Files for Beside {
-    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        fs::read(self.0.join(path)).map_err(|_| FileError::NotFound)
-    }
-}
-
-/// The `.sc` files of a folder.
-fn scenes(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let paths = entries.map(|entry| entry.unwrap().path());
-    let mut scenes: Vec<_> = paths.filter(|path| path.extension().is_some_and(|ending| ending == "sc")).collect();
-    assert!(!scenes.is_empty(), "{}", folder.display());
-    scenes.sort();
-    scenes
-}
 
 fn assembled(path: &Path, falloff: Falloff) -> Assembled {
     let text = scene_format::decode(&fs::read(path).unwrap()).unwrap();
@@ -78,8 +52,8 @@ fn film(path: &Path, falloff: Falloff) -> Film {
 
 #[test]
 fn every_scene_of_the_course_renders_at_its_own_settings() {
-    let Some(shared) = shared() else { return };
-    for path in ["scenes/course", "scenes/group"].into_iter().flat_map(|folder| scenes(&shared.join(folder))) {
+    let Some(shared) = shared_folder() else { return };
+    for path in ["scenes/course", "scenes/group"].into_iter().flat_map(|folder| scenes_of(&shared.join(folder))) {
         let shows_something = |film: &Film| film.pixels.iter().any(|pixel| *pixel != film.pixels[0]);
         let mut film = film(&path, shading::linear_falloff);
         if !shows_something(&film) {
@@ -131,10 +105,10 @@ impl Silhouette {
 
 #[test]
 fn silhouettes_agree_with_sunflow_s() {
-    let Some(shared) = shared() else { return };
+    let Some(shared) = shared_folder() else { return };
     let mut beyond_tolerance = 0;
     let mut compared = 0;
-    for path in scenes(&shared.join("scenes/course")) {
+    for path in scenes_of(&shared.join("scenes/course")) {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let reference = shared.join("reference/sunflow/course").join(format!("{name}.png"));
         if !reference.exists() {

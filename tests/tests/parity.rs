@@ -10,11 +10,11 @@
 
 use std::fs;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use image::RgbImage;
 use render::{Assembled, Film, Lighting, Modules};
-use scene_format::{FileError, Files};
+use tests::{Beside, scenes_of, shared_folder};
 
 /// By how much a channel may differ, of 255.
 const CLOSE: u8 = 2;
@@ -31,32 +31,6 @@ const MOST_NOISE: f64 = 0.01;
 
 /// There is an edge where the colours around a pixel span more than this in a channel, of 255.
 const EDGE: u8 = 6;
-
-fn shared() -> Option<PathBuf> {
-    let Some(folder) = std::env::var_os("GIRASOL_SHARED").map(PathBuf::from) else {
-        println!("skipped: set GIRASOL_SHARED to the folder of the course's scenes");
-        return None;
-    };
-    assert!(folder.is_dir(), "GIRASOL_SHARED is {}, which is no folder", folder.display());
-    Some(folder)
-}
-
-struct Beside(PathBuf);
-
-impl Files for Beside {
-    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        fs::read(self.0.join(path)).map_err(|_| FileError::NotFound)
-    }
-}
-
-fn scenes(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let paths = entries.map(|entry| entry.unwrap().path());
-    let mut scenes: Vec<_> = paths.filter(|path| path.extension().is_some_and(|ending| ending == "sc")).collect();
-    assert!(!scenes.is_empty(), "{}", folder.display());
-    scenes.sort();
-    scenes
-}
 
 /// What a picture must come to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,10 +116,10 @@ fn around(picture: &RgbImage, x: u32, y: u32) -> impl Iterator<Item = [u8; 3]> {
 
 #[test]
 fn pictures_lit_as_by_sunflow_agree_with_sunflow_s() {
-    let Some(shared) = shared() else { return };
+    let Some(shared) = shared_folder() else { return };
     println!("{:12} {:>8} {:>8} {:>4} {:>11} {:>8}", "scene", "<= 2", "<= 6", "max", "unexplained", "rmse");
     let mut failed = Vec::new();
-    for path in scenes(&shared.join("scenes/parity")) {
+    for path in scenes_of(&shared.join("scenes/parity")) {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let reference = shared.join("reference/sunflow/parity").join(format!("{name}.png"));
         let reference = image::load_from_memory(&fs::read(&reference).unwrap()).unwrap().into_rgb8();

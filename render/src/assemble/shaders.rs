@@ -35,7 +35,7 @@ pub(super) struct ShaderTable<'a> {
 pub struct ShadingNeeds {
     /// The types of the shaders in use, each once.
     pub types: Vec<String>,
-    /// The paths of the textures that were read, each once.
+    /// The names of the textures that were read, each once.
     pub textures: Vec<String>,
     /// The memory that they take, in bytes.
     pub texture_bytes: usize,
@@ -177,9 +177,12 @@ impl<'a> ShaderTable<'a> {
         }
     }
 
-    /// A texture from its file, read once.
+    /// A texture from its file: found, read and decoded once for each name.
     fn texture(&mut self, name: &Spanned<String>) -> Result<Arc<dyn Texture>, Diagnostic> {
-        let (path, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
+        if let Some(read) = self.textures.get(&name.value) {
+            return Ok(Arc::clone(&read.texture));
+        }
+        let (_, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
             FileError::NotFound => Diagnostic::error(name.span, format!("there is no texture `{}`", name.value))
                 .label("no such file")
                 .help(self.where_looked()),
@@ -187,9 +190,6 @@ impl<'a> ShaderTable<'a> {
                 Diagnostic::error(name.span, format!("the texture `{}` cannot be read", name.value)).label(reason)
             }
         })?;
-        if let Some(read) = self.textures.get(&path) {
-            return Ok(Arc::clone(&read.texture));
-        }
         let picture = decode(&bytes).map_err(|reason| {
             Diagnostic::error(name.span, format!("the texture `{}` is not a picture that can be read", name.value))
                 .label(reason)
@@ -197,7 +197,7 @@ impl<'a> ShaderTable<'a> {
         })?;
         let bytes = picture.bytes();
         let texture = (self.modules.texture)(picture);
-        self.textures.insert(path, ReadTexture { texture: Arc::clone(&texture), bytes });
+        self.textures.insert(name.value.clone(), ReadTexture { texture: Arc::clone(&texture), bytes });
         Ok(texture)
     }
 
