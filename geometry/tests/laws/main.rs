@@ -8,6 +8,7 @@ mod ellipsoid;
 mod exact;
 mod leaving;
 mod plane;
+mod secondary;
 mod sphere;
 mod triangle;
 mod undefined;
