@@ -10,10 +10,7 @@ mod secondary;
 use glam::{DMat3, DVec3, Vec3};
 use proptest::prelude::*;
 
-pub use secondary::{
-    Apart, CubeEdge, GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, triangles_apart,
-};
-
+pub use secondary::{Apart, CubeEdge, GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, triangles_apart};
 
 use crate::{Aabb, Mesh, Plane, Ray, Sphere, Transform, Triangle};
 
@@ -168,7 +165,10 @@ pub fn flat_triangles() -> impl Strategy<Value = Aimed<Triangle>> {
         let place = |steps: f32| start + steps * step;
         let target = place(if far == 1.0 { along } else { along.round() });
         let origin = (target.as_dvec3() + side * f64::from(far)).as_vec3();
-        Aimed { shape: Triangle { corners: order.map(|steps| place(steps as f32)) }, ray: Ray::new(origin, target - origin) }
+        Aimed {
+            shape: Triangle { corners: order.map(|steps| place(steps as f32)) },
+            ray: Ray::new(origin, target - origin),
+        }
     })
 }
 

@@ -3,9 +3,7 @@
 
 use geometry::{
     Ellipsoid, Hit, Interval, Mesh, Primitive, Primitives, Ray, Surface, Transform,
-    conformance::{
-        GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, times, triangles_apart,
-    },
+    conformance::{GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, times, triangles_apart},
     unit_cube,
 };
 use glam::Vec3;
