@@ -10,5 +10,6 @@ mod leaving;
 mod plane;
 mod secondary;
 mod sphere;
+mod texture;
 mod triangle;
 mod undefined;
