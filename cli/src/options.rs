@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
-use render::{Buckets, Crop, Lighting, Modules, Settings};
+use render::{Buckets, Crop, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -24,6 +24,9 @@ pub(crate) struct RenderOptions {
     /// Rays at random places of each zone (1 to 65535), instead of the scene's own.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65535))]
     samples: Option<u32>,
+    /// Where samples fall. [default: random; with `--lighting sunflow` zones' middles]
+    #[arg(long, value_enum)]
+    sampler: Option<SamplerName>,
     /// How many threads to use. The picture does not depend on it. [default: all processors]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -66,6 +69,25 @@ pub(crate) enum AcceleratorName {
     Octree,
 }
 
+/// The samplers that can be named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SamplerName {
+    /// A random place in each zone of a pixel; independent random numbers for everything else. The report's.
+    Random,
+    /// Points that keep apart: Sobol's sequence, scrambled by Owen's method.
+    Sobol,
+}
+
+impl SamplerName {
+    /// The sampler of that name.
+    pub(crate) fn sampler(self) -> Sampler {
+        match self {
+            Self::Random => render::random,
+            Self::Sobol => render::sobol,
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum LightingName {
     Report,
@@ -101,7 +123,8 @@ impl RenderOptions {
             Some(FalloffName::Linear) => shading::linear_falloff,
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
-        Modules { accelerator, falloff, ..modules }
+        let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
+        Modules { accelerator, falloff, sampler, ..modules }
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.

@@ -79,7 +79,7 @@ pub fn assemble(
         lights: Vec::new(),
         background: Color::BLACK,
         // Sunflow's default depths.
-        bounces: Bounces { reflections: 4, refractions: 4 },
+        bounces: Bounces::of_camera_ray(4, 4),
     };
     parts.read(file);
     parts.finish(lighting, Settings::of(file))
@@ -161,8 +161,7 @@ impl<'a> Parts<'a> {
                     .help("a few are enough: 4 are the default"),
             );
         }
-        self.bounces =
-            Bounces { reflections: reflections.min(MOST_BOUNCES), refractions: refractions.min(MOST_BOUNCES) };
+        self.bounces = Bounces::of_camera_ray(reflections.min(MOST_BOUNCES), refractions.min(MOST_BOUNCES));
     }
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {

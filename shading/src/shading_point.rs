@@ -51,7 +51,8 @@ impl ShadingPoint<'_> {
     pub fn lit(&self) -> impl Iterator<Item = Incident> {
         let normal = self.normal();
         let outward = if self.is_inside() { -self.surface.geometric_normal } else { self.surface.geometric_normal };
-        self.world.lights().iter().filter_map(move |light| {
+        let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
+        lights.filter_map(move |light| {
             let to_light = light.position - self.surface.position;
             let distance = to_light.length();
             let direction = to_light / distance;
@@ -71,7 +72,7 @@ impl ShadingPoint<'_> {
 
     /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.
     pub fn ambient(&self) -> Option<f32> {
-        self.world.lights().is_empty().then(|| self.world.ambient())
+        self.world.light(0, self.bounces.path).is_none().then(|| self.world.ambient())
     }
 
     /// The light that a mirror here shows; black when the ray has been reflected often enough.
