@@ -35,6 +35,7 @@ impl<'a> Tracer<'a> {
             direction: ray.direction / length,
             distance: hit.t * length,
             surface: self.scene.surface(ray, &hit),
+            ray_origin: self.scene.ray_origin,
             uv: &|| self.scene.uv(ray, &hit),
             bounces,
         };
