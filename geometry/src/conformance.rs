@@ -63,7 +63,7 @@ pub struct Enclosed {
     pub rays: Vec<Ray>,
 }
 
-/// How many cases a law is tried on: a multiple of proptest's own number, which `PROPTEST_CASES` sets.
+/// How many cases a law is tried on: a multiple of proptest's own number. `PROPTEST_CASES` sets one number for all laws.
 ///
 /// Failures are not kept in a file: each becomes a literal test.
 pub fn times(factor: u32) -> ProptestConfig {
