@@ -369,7 +369,7 @@ fn unit_sphere_line() -> impl Strategy<Value = (DVec3, DVec3)> {
 
 /// An octahedron whose triangles were split in four a number of times: points (not on a sphere), and corners
 /// counter-clockwise from outside.
-fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let mut points = vec![DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
     let mut triangles: Vec<[u32; 3]> =
         vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
