@@ -289,7 +289,7 @@ pub fn unit_vector() -> impl Strategy<Value = DVec3> {
 }
 
 /// Numbers whose logarithm is spread evenly.
-fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
+pub fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
     (libm::log(from)..libm::log(to)).prop_map(libm::exp)
 }
 
