@@ -13,6 +13,8 @@
 mod assemble;
 mod buckets;
 mod camera;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod dialect;
 mod film;
 mod inventory;
