@@ -13,6 +13,7 @@ mod args;
 mod commands;
 mod input;
 mod interrupt;
+pub mod metrics;
 mod options;
 mod output;
 mod progress;
