@@ -3,7 +3,8 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
-use render::{Buckets, Crop, Lighting, Modules, Settings};
+use geometry::{Kernels, naive};
+use render::{Buckets, Crop, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -24,6 +25,9 @@ pub(crate) struct RenderOptions {
     /// Rays at random places of each zone (1 to 65535), instead of the scene's own.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65535))]
     samples: Option<u32>,
+    /// Where samples fall. [default: random; with `--lighting sunflow` zones' middles]
+    #[arg(long, value_enum)]
+    sampler: Option<SamplerName>,
     /// How many threads to use. The picture does not depend on it. [default: all processors]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -34,6 +38,10 @@ pub(crate) struct RenderOptions {
     /// How to find what a ray meets first. The picture does not depend on it.
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// Render with the naive kernels of textbooks instead, to see what goes wrong: some, separated by commas, or all. The scene
+    /// `scales` is hard for them; `girasol accuracy` measures them.
+    #[arg(long, value_enum, value_name = "KERNEL,...", value_delimiter = ',')]
+    naive: Vec<NaiveKernel>,
     /// How surfaces and lights work. `report`: as the report of 2010 describes. `sunflow`: as Sunflow 0.07.3 computes it, to be held
     /// against its pictures; without lights all is black. [default: report]
     #[arg(long, value_enum)]
@@ -64,6 +72,66 @@ pub(crate) enum AcceleratorName {
     None,
     /// Cubes halved into eight, as in the report.
     Octree,
+}
+
+/// The samplers that can be named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SamplerName {
+    /// A random place in each zone of a pixel; independent random numbers for everything else. The report's.
+    Random,
+    /// Points that keep apart: Sobol's sequence, scrambled by Owen's method.
+    Sobol,
+}
+
+impl SamplerName {
+    /// The sampler of that name.
+    pub(crate) fn sampler(self) -> Sampler {
+        match self {
+            Self::Random => render::random,
+            Self::Sobol => render::sobol,
+        }
+    }
+}
+
+/// A kernel of [`geometry::naive`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum NaiveKernel {
+    /// The quadratic formula in single precision.
+    Sphere,
+    /// An inverse matrix in single precision.
+    Ellipsoid,
+    /// Möller and Trumbore's test with its epsilon, in single precision.
+    Triangle,
+    /// Rays nearly parallel to a plane miss it.
+    Plane,
+    /// The slab test without care for zeros and rounding.
+    Box,
+    /// Shadow rays and others start 0.0001 off the surface.
+    Offset,
+    /// All of these.
+    All,
+}
+
+impl NaiveKernel {
+    /// Puts it in its place.
+    fn put_into(self, modules: Modules) -> Modules {
+        let Modules { kernels, .. } = modules;
+        let naive = naive::kernels();
+        let kernels = match self {
+            Self::Sphere => Kernels { sphere: naive.sphere, ..kernels },
+            Self::Ellipsoid => Kernels { ellipsoid: naive.ellipsoid, ..kernels },
+            Self::Triangle => Kernels { triangle: naive.triangle, ..kernels },
+            Self::Plane => Kernels { plane: naive.plane, ..kernels },
+            Self::Box => Kernels { aabb: naive.aabb, ..kernels },
+            Self::Offset => kernels,
+            Self::All => naive,
+        };
+        let ray_origin = match self {
+            Self::Offset | Self::All => naive::offset_along_normal,
+            _ => modules.ray_origin,
+        };
+        Modules { kernels, ray_origin, ..modules }
+    }
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -101,7 +169,9 @@ impl RenderOptions {
             Some(FalloffName::Linear) => shading::linear_falloff,
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
-        Modules { accelerator, falloff, ..modules }
+        let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
+        let modules = Modules { accelerator, falloff, sampler, ..modules };
+        self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules))
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.

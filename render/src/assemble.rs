@@ -72,14 +72,14 @@ pub fn assemble(
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
         camera: None,
-        bounded: Primitives::default(),
+        bounded: Primitives::default().with_kernels(modules.kernels),
         planes: Vec::new(),
         shader_of_bounded: Vec::new(),
         shader_of_planes: Vec::new(),
         lights: Vec::new(),
         background: Color::BLACK,
         // Sunflow's default depths.
-        bounces: Bounces { reflections: 4, refractions: 4 },
+        bounces: Bounces::of_camera_ray(4, 4),
     };
     parts.read(file);
     parts.finish(lighting, Settings::of(file))
@@ -161,8 +161,7 @@ impl<'a> Parts<'a> {
                     .help("a few are enough: 4 are the default"),
             );
         }
-        self.bounces =
-            Bounces { reflections: reflections.min(MOST_BOUNCES), refractions: refractions.min(MOST_BOUNCES) };
+        self.bounces = Bounces::of_camera_ray(reflections.min(MOST_BOUNCES), refractions.min(MOST_BOUNCES));
     }
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {
@@ -215,6 +214,7 @@ impl<'a> Parts<'a> {
             secondary_background,
             raster,
             bounces: self.bounces,
+            ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
         };

@@ -33,6 +33,6 @@ pub use inventory::Inventory;
 pub use modules::{Modules, Shaders};
 pub use raster::Raster;
 pub use renderer::{FinishedBucket, render};
-pub use sampler::{Sample, Sampler, centred, jitter};
+pub use sampler::{Purpose, Sample, Sampler, centred, random, sobol};
 pub use scene::Scene;
 pub use settings::{Buckets, Crop, Settings};
