@@ -11,6 +11,7 @@
 
 mod args;
 mod commands;
+mod comparison;
 mod input;
 mod interrupt;
 mod options;
@@ -35,6 +36,7 @@ pub fn run(modules: Modules) -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),
+        Command::Parity(arguments) => commands::parity::run(&arguments, modules),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };
     match result {

@@ -3,13 +3,7 @@ use glam::Vec3;
 
 use crate::{Color, Incident, ShadingPoint};
 
-/// How far Sunflow's rays start off a surface, at least, in the scene's units: a scene of that size is full of its traces.
-const LEAST_BIAS: f32 = 0.001;
-
-/// The same in units in the last place of the coordinate along which the surface is met most squarely.
-const LEAST_BIAS_IN_ULPS: f32 = 25.0;
-
-/// A point as Sunflow's shaders have it: turned to the viewer, and moved off the surface by a fixed length.
+/// A point as Sunflow's shaders have it: turned to the viewer, and off the surface already, where the rays start.
 ///
 /// Its normals need not be unit vectors (see [`super::LongNormal`]): the formulas take them as they are.
 pub(super) struct Shaded<'a> {
@@ -20,7 +14,6 @@ pub(super) struct Shaded<'a> {
     outward: Vec3,
     /// Of the angle between the viewer and the shading normal; 0 where that leans away.
     pub(super) cosine: f32,
-    bias: f32,
 }
 
 impl<'a> Shaded<'a> {
@@ -28,12 +21,12 @@ impl<'a> Shaded<'a> {
         let geometric = at.surface.geometric_normal;
         let outward = if at.is_inside() { -geometric } else { geometric };
         let normal = at.normal();
-        Self { at, normal, outward, cosine: (-at.direction.dot(normal)).max(0.0), bias: bias(at) }
+        Self { at, normal, outward, cosine: (-at.direction.dot(normal)).max(0.0) }
     }
 
     /// What shadow rays and mirrored rays start at.
     fn point(&self) -> Vec3 {
-        self.at.surface.position + self.outward * self.bias
+        (self.at.ray_origin)(&self.at.surface, self.outward)
     }
 
     /// The direction in which a mirror sends the ray, `2 (v.n) n - v`: along the ray itself where the shading normal leans away from
@@ -51,14 +44,15 @@ impl<'a> Shaded<'a> {
     /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
     pub(super) fn refracted(&self, direction: Vec3) -> Color {
         let Some(bounces) = self.at.bounces.refracted() else { return Color::BLACK };
-        let point = self.at.surface.position - self.outward * self.bias;
+        let point = (self.at.ray_origin)(&self.at.surface, -self.outward);
         self.at.world.trace(&Ray::new(point, direction.normalize()), bounces)
     }
 
     /// The lights in front of both normals that the point sees, as they arrive there and not at the surface itself.
     pub(super) fn lit(&self) -> impl Iterator<Item = Incident> {
         let point = self.point();
-        self.at.world.lights().iter().filter_map(move |light| {
+        let lights = (0..).map_while(|number| self.at.world.light(number, self.at.bounces.path));
+        lights.filter_map(move |light| {
             let to_light = light.position - point;
             // Also false where the light stands just at the point.
             if !(to_light.dot(self.normal) > 0.0 && to_light.dot(self.outward) > 0.0) {
@@ -78,18 +72,4 @@ impl<'a> Shaded<'a> {
     pub(super) fn direction_and_normal(&self) -> (Vec3, Vec3) {
         (self.at.direction, self.normal)
     }
-}
-
-/// `max(0.001, 25 ulp(p))`, p being the point's coordinate on the axis nearest to the geometric normal.
-fn bias(at: &ShadingPoint<'_>) -> f32 {
-    let normal = at.surface.geometric_normal.abs();
-    let position = at.surface.position.abs();
-    let coordinate = if normal.x > normal.y && normal.x > normal.z {
-        position.x
-    } else if normal.y > normal.z {
-        position.y
-    } else {
-        position.z
-    };
-    LEAST_BIAS.max(LEAST_BIAS_IN_ULPS * (coordinate.next_up() - coordinate))
 }
