@@ -5,5 +5,6 @@ pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod inspect;
+pub(crate) mod parity;
 pub(crate) mod render;
 pub(crate) mod scenes;

@@ -12,6 +12,7 @@
 mod accuracy;
 mod args;
 mod commands;
+mod comparison;
 mod input;
 mod interrupt;
 pub mod metrics;
@@ -38,6 +39,7 @@ pub fn run(modules: Modules) -> ExitCode {
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),
         Command::Accuracy(arguments) => commands::accuracy::run(&arguments, modules),
+        Command::Parity(arguments) => commands::parity::run(&arguments, modules),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };
     match result {

@@ -157,6 +157,11 @@ struct BucketOption {
 }
 
 impl RenderOptions {
+    /// Those of a picture to be held against Sunflow's.
+    pub(crate) fn lit_as_by_sunflow() -> Self {
+        Self { lighting: Some(LightingName::Sunflow), ..Self::default() }
+    }
+
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
         let modules = match self.lighting {
@@ -187,6 +192,10 @@ impl RenderOptions {
 
     /// The scene's own settings, with what the command line says instead.
     pub(crate) fn settings(&self, scene: &Settings) -> Result<Settings, Failure> {
+        if let (Some(LightingName::Sunflow), Some(_)) = (self.lighting, self.ambient) {
+            return Err(Failure::new("`--ambient` has no meaning with `--lighting sunflow`")
+                .help("in Sunflow nothing shows where no light reaches: leave one of the two out, or put a light into the scene"));
+        }
         let size = self.size.unwrap_or(scene.size);
         if let Some(crop) = self.crop {
             let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);
