@@ -27,6 +27,7 @@ mod sphere;
 mod surface;
 mod transform;
 mod triangle;
+mod triangle_probe;
 
 pub use aabb::{Aabb, BoxProbe};
 pub use cube::unit_cube;
@@ -41,3 +42,4 @@ pub use sphere::Sphere;
 pub use surface::Surface;
 pub use transform::Transform;
 pub use triangle::Triangle;
+pub use triangle_probe::TriangleProbe;
