@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::{
     layout::Node,
-    simd::{Isa, Lanes},
+    simd::{Isa, Lanes, splat},
 };
 
 /// A ray made ready for the boxes of nodes.
@@ -44,16 +44,13 @@ impl<I: Isa> BoxLanes<I> {
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let direction =
             ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
-        let slack = Vec3::splat(SLACK) * (ray.origin.abs() + magnitude);
-        let all = |axis: usize, value: f32| -> I::F32 {
-            let _ = axis;
-            I::F32::splat(isa, value)
-        };
-        let moved = |axis: usize, sign: f32| ray.origin[axis] + (sign * slack[axis]).copysign(sign * direction[axis]);
+        let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
+        let forward = Vec3::from(direction).signum() * slack;
+        let inverse = direction.map(|d| 1.0 / d);
         Self {
-            near_origin: std::array::from_fn(|axis| all(axis, moved(axis, 1.0))),
-            far_origin: std::array::from_fn(|axis| all(axis, moved(axis, -1.0))),
-            inverse: direction.map(|d| I::F32::splat(isa, 1.0 / d)),
+            near_origin: splat(isa, (ray.origin + forward).to_array()),
+            far_origin: splat(isa, (ray.origin - forward).to_array()),
+            inverse: splat(isa, inverse),
             near: direction.map(|d| usize::from(d < 0.0)),
             min: I::F32::splat(isa, min),
         }
@@ -62,13 +59,20 @@ impl<I: Isa> BoxLanes<I> {
     /// Where the ray enters each box, and a bit for each box that it meets before `limit`.
     #[inline(always)]
     pub(super) fn meet(&self, isa: I, node: &Node, limit: I::F32) -> (I::F32, u32) {
-        let crossing = |axis: usize, side: usize, origin: I::F32| {
-            (I::F32::load(isa, &node.planes[axis][side & 1]) - origin) * self.inverse[axis]
-        };
-        let enter = |axis: usize| crossing(axis, self.near[axis], self.near_origin[axis]);
-        let leave = |axis: usize| crossing(axis, 1 ^ self.near[axis], self.far_origin[axis]);
-        let enters = enter(0).max(enter(1)).max(enter(2).max(self.min));
-        let leaves = leave(0).min(leave(1)).min(leave(2).min(limit));
+        let enters = self.enter(isa, node, 0).max(self.enter(isa, node, 1)).max(self.enter(isa, node, 2).max(self.min));
+        let leaves = self.leave(isa, node, 0).min(self.leave(isa, node, 1)).min(self.leave(isa, node, 2).min(limit));
         (enters, enters.le(leaves))
+    }
+
+    #[inline(always)]
+    fn enter(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
+        let near = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1]);
+        (near - self.near_origin[axis]) * self.inverse[axis]
+    }
+
+    #[inline(always)]
+    fn leave(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
+        let far = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1 ^ 1]);
+        (far - self.far_origin[axis]) * self.inverse[axis]
     }
 }

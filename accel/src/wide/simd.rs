@@ -41,6 +41,12 @@ pub(super) trait Isa: Copy {
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }
 
+/// Each component in all lanes of its own vector.
+#[inline(always)]
+pub(super) fn splat<I: Isa>(isa: I, [x, y, z]: [f32; 3]) -> [I::F32; 3] {
+    [I::F32::splat(isa, x), I::F32::splat(isa, y), I::F32::splat(isa, z)]
+}
+
 /// Eight `f32`, one for each lane.
 ///
 /// Comparisons give a bit for each lane. What minimum and maximum of a NaN are is not said.

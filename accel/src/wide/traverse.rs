@@ -1,6 +1,6 @@
 //! One ray through the tree.
 
-use geometry::{Hit, Interval, Ray, TriangleProbe};
+use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
@@ -10,7 +10,6 @@ use super::{
     triangles::TriangleLanes,
 };
 use crate::none::closest_of;
-use geometry::Primitives;
 
 /// A node or leaf still to visit, and where the ray enters its box: the distance in the upper half, so that the entries of a node can be
 /// ordered as whole numbers. (Distances below 0 come in the wrong order; the order only saves time.)
@@ -28,94 +27,166 @@ fn distance(pending: Pending) -> f32 {
 
 /// A ray's nearest hit.
 #[inline(always)]
-pub(super) fn closest<I: Isa>(isa: I, tree: &Tree, primitives: &Primitives, ray: &Ray, within: Interval) -> Option<Hit> {
-    let probe = TriangleProbe::new(ray);
-    let boxes = BoxLanes::new(isa, ray, within.min, tree.magnitude);
-    let triangles = TriangleLanes::new(isa, ray, &probe, within.min, tree.magnitude);
-    let mut nearest = closest_of(primitives, tree.beside.iter().copied(), ray, within, None);
-    let mut limit = nearest.map_or(within.max, |hit| hit.t);
-    let mut limits = I::F32::splat(isa, limit);
-    let mut depths = triangles.limit(isa, limit);
-    let mut stack = Stack::<Pending>::new();
+pub(super) fn closest<I: Isa>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: Interval,
+) -> Option<Hit> {
+    let mut walk = Walk::new(isa, tree, primitives, ray, within);
     let mut link = tree.root;
     loop {
-        while link.is_node() {
-            let node = &tree.nodes[link.bits() as usize];
-            let (enters, mut met) = boxes.meet(isa, node, limits);
-            if met == 0 {
-                break;
-            }
-            let first = met.trailing_zeros() as usize;
-            met &= met - 1;
-            if met == 0 {
-                link = node.links[first & 7];
+        if link.is_node() {
+            if let Some(nearest) = walk.node(link) {
+                link = nearest;
                 continue;
             }
-            let mut distances = [0.0; 8];
-            enters.store(&mut distances);
-            let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
-            let mut best = entry(first);
-            let second = entry(met.trailing_zeros() as usize);
+        } else {
+            walk.leaf(link);
+        }
+        match walk.pop() {
+            Some(next) => link = next,
+            None => return walk.nearest,
+        }
+    }
+}
+
+/// A ray on its way to its nearest hit.
+struct Walk<'a, I: Isa> {
+    isa: I,
+    tree: &'a Tree,
+    primitives: &'a Primitives,
+    ray: &'a Ray,
+    within: Interval,
+    probe: TriangleProbe,
+    boxes: BoxLanes<I>,
+    triangles: TriangleLanes<I>,
+    nearest: Option<Hit>,
+    /// Where the nearest hit is, or the interval ends; in three forms.
+    limit: f32,
+    box_limit: I::F32,
+    depth_limit: I::F32,
+    stack: Stack<Pending>,
+}
+
+impl<'a, I: Isa> Walk<'a, I> {
+    #[inline(always)]
+    fn new(isa: I, tree: &'a Tree, primitives: &'a Primitives, ray: &'a Ray, within: Interval) -> Self {
+        let probe = TriangleProbe::new(ray);
+        let triangles = TriangleLanes::new(isa, ray, &probe, within.min, tree.magnitude);
+        let mut walk = Self {
+            isa,
+            tree,
+            primitives,
+            ray,
+            within,
+            boxes: BoxLanes::new(isa, ray, within.min, tree.magnitude),
+            nearest: None,
+            limit: within.max,
+            box_limit: I::F32::splat(isa, within.max),
+            depth_limit: triangles.limit(isa, within.max),
+            probe,
+            triangles,
+            stack: Stack::new(),
+        };
+        if !tree.beside.is_empty() {
+            walk.ask(&tree.beside);
+        }
+        walk
+    }
+
+    /// Visits a node: the nearest of the links that the ray meets, if any; the others wait on the stack, the farthest lowest.
+    #[inline(always)]
+    fn node(&mut self, link: Link) -> Option<Link> {
+        let node = &self.tree.nodes[link.bits() as usize];
+        let (enters, mut met) = self.boxes.meet(self.isa, node, self.box_limit);
+        if met == 0 {
+            return None;
+        }
+        let first = met.trailing_zeros() as usize;
+        met &= met - 1;
+        if met == 0 {
+            return Some(node.links[first & 7]);
+        }
+        let mut distances = [0.0; 8];
+        enters.store(&mut distances);
+        let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
+        let mut best = entry(first);
+        let start = self.stack.len();
+        while met != 0 {
+            let next = entry(met.trailing_zeros() as usize);
             met &= met - 1;
-            if met == 0 {
-                let (near, far) = if best < second { (best, second) } else { (second, best) };
-                stack.push(far);
-                link = Link::from_bits(near as u32);
-                continue;
-            }
-            let start = stack.len();
-            let far = if second < best { std::mem::replace(&mut best, second) } else { second };
-            stack.push(far);
-            while met != 0 {
-                let next = entry(met.trailing_zeros() as usize);
-                met &= met - 1;
-                let next = if next < best { std::mem::replace(&mut best, next) } else { next };
-                stack.push(next);
-                sink(stack.since(start));
-            }
-            link = Link::from_bits(best as u32);
-        }
-        if !link.is_node() {
-            let mut visit = |block: &Block| {
-                let mut candidates = triangles.candidates(isa, block, depths);
-                while candidates != 0 {
-                    let lane = candidates.trailing_zeros() as usize;
-                    candidates &= candidates - 1;
-                    if let Some(met) = probe.intersect(triangles.corners(block, lane), within) {
-                        let hit = met.on(block.primitives[lane & 7]);
-                        if nearest.is_none_or(|nearest| hit.is_before(nearest)) {
-                            nearest = Some(hit);
-                            limit = hit.t;
-                            limits = I::F32::splat(isa, limit);
-                            depths = triangles.limit(isa, limit);
-                        }
-                    }
-                }
-            };
-            match link.linked() {
-                Linked::Node(_) => {}
-                Linked::Blocks { first, count } => {
-                    for block in &tree.blocks[first as usize..(first + count) as usize] {
-                        visit(block);
-                    }
-                }
-                Linked::Mixed(index) => {
-                    let (blocks, asked) = tree.mixed(index);
-                    blocks.iter().for_each(&mut visit);
-                    nearest = closest_of(primitives, asked.iter().copied(), ray, within, nearest);
-                    limit = nearest.map_or(within.max, |hit| hit.t);
-                    limits = I::F32::splat(isa, limit);
-                    depths = triangles.limit(isa, limit);
-                }
+            let (near, far) = if next < best { (next, best) } else { (best, next) };
+            best = near;
+            self.stack.push(far);
+            if self.stack.len() > start + 1 {
+                sink(self.stack.since(start));
             }
         }
+        Some(Link::from_bits(best as u32))
+    }
+
+    /// Takes from the stack what the ray enters before its nearest hit.
+    #[inline(always)]
+    fn pop(&mut self) -> Option<Link> {
         loop {
-            let Some(next) = stack.pop() else { return nearest };
+            let next = self.stack.pop()?;
             // A hit at just this distance may still have a lower number.
-            if distance(next) <= limit {
-                link = Link::from_bits(next as u32);
-                break;
+            if distance(next) <= self.limit {
+                return Some(Link::from_bits(next as u32));
             }
+        }
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, link: Link) {
+        let tree = self.tree;
+        match link.linked() {
+            Linked::Node(_) => {}
+            Linked::Blocks { first, count } => {
+                for block in &tree.blocks[first as usize..(first + count) as usize] {
+                    self.block(block);
+                }
+            }
+            Linked::Mixed(index) => {
+                let (blocks, asked) = tree.mixed(index);
+                for block in blocks {
+                    self.block(block);
+                }
+                self.ask(asked);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn block(&mut self, block: &Block) {
+        let mut candidates = self.triangles.candidates(self.isa, block, self.depth_limit);
+        while candidates != 0 {
+            let lane = candidates.trailing_zeros() as usize;
+            candidates &= candidates - 1;
+            if let Some(met) = self.probe.intersect(self.triangles.corners(block, lane), self.within) {
+                let hit = met.on(block.primitives[lane & 7]);
+                if self.nearest.is_none_or(|nearest| hit.is_before(nearest)) {
+                    self.found(hit);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn found(&mut self, hit: Hit) {
+        self.nearest = Some(hit);
+        self.limit = hit.t;
+        self.box_limit = I::F32::splat(self.isa, hit.t);
+        self.depth_limit = self.triangles.limit(self.isa, hit.t);
+    }
+
+    /// Asks primitives one by one.
+    #[inline(always)]
+    fn ask(&mut self, numbers: &[u32]) {
+        if let Some(hit) = closest_of(self.primitives, numbers.iter().copied(), self.ray, self.within, self.nearest) {
+            self.found(hit);
         }
     }
 }
@@ -133,59 +204,96 @@ fn sink(entries: &mut [Pending]) {
 /// Whether a ray meets anything.
 #[inline(always)]
 pub(super) fn any<I: Isa>(isa: I, tree: &Tree, primitives: &Primitives, ray: &Ray, within: Interval) -> bool {
-    let ask = |numbers: &[u32]| numbers.iter().any(|&number| primitives.intersect(number, ray, within).is_some());
-    if ask(&tree.beside) {
-        return true;
+    let search = Search {
+        isa,
+        tree,
+        primitives,
+        ray,
+        within,
+        probe: TriangleProbe::new(ray),
+    };
+    search.run()
+}
+
+/// A ray that looks for anything in its way.
+struct Search<'a, I: Isa> {
+    isa: I,
+    tree: &'a Tree,
+    primitives: &'a Primitives,
+    ray: &'a Ray,
+    within: Interval,
+    probe: TriangleProbe,
+}
+
+impl<I: Isa> Search<'_, I> {
+    #[inline(always)]
+    fn run(&self) -> bool {
+        if !self.tree.beside.is_empty() && self.ask(&self.tree.beside) {
+            return true;
+        }
+        let boxes = BoxLanes::new(self.isa, self.ray, self.within.min, self.tree.magnitude);
+        let triangles = TriangleLanes::new(self.isa, self.ray, &self.probe, self.within.min, self.tree.magnitude);
+        let box_limit = I::F32::splat(self.isa, self.within.max);
+        let depth_limit = triangles.limit(self.isa, self.within.max);
+        let mut stack = Stack::<Link>::new();
+        let mut link = self.tree.root;
+        loop {
+            while link.is_node() {
+                let node = &self.tree.nodes[link.bits() as usize];
+                let (_, mut met) = boxes.meet(self.isa, node, box_limit);
+                if met == 0 {
+                    break;
+                }
+                link = node.links[met.trailing_zeros() as usize & 7];
+                met &= met - 1;
+                while met != 0 {
+                    stack.push(node.links[met.trailing_zeros() as usize & 7]);
+                    met &= met - 1;
+                }
+            }
+            match link.linked() {
+                Linked::Node(_) => {}
+                Linked::Blocks { first, count } => {
+                    for block in &self.tree.blocks[first as usize..(first + count) as usize] {
+                        if self.block(&triangles, block, depth_limit) {
+                            return true;
+                        }
+                    }
+                }
+                Linked::Mixed(index) => {
+                    let (blocks, asked) = self.tree.mixed(index);
+                    for block in blocks {
+                        if self.block(&triangles, block, depth_limit) {
+                            return true;
+                        }
+                    }
+                    if self.ask(asked) {
+                        return true;
+                    }
+                }
+            }
+            match stack.pop() {
+                Some(next) => link = next,
+                None => return false,
+            }
+        }
     }
-    let probe = TriangleProbe::new(ray);
-    let boxes = BoxLanes::new(isa, ray, within.min, tree.magnitude);
-    let triangles = TriangleLanes::new(isa, ray, &probe, within.min, tree.magnitude);
-    let limits = I::F32::splat(isa, within.max);
-    let depths = triangles.limit(isa, within.max);
-    let meets = |block: &Block| {
-        let mut candidates = triangles.candidates(isa, block, depths);
+
+    #[inline(always)]
+    fn block(&self, triangles: &TriangleLanes<I>, block: &Block, depth_limit: I::F32) -> bool {
+        let mut candidates = triangles.candidates(self.isa, block, depth_limit);
         while candidates != 0 {
             let lane = candidates.trailing_zeros() as usize;
             candidates &= candidates - 1;
-            if probe.intersect(triangles.corners(block, lane), within).is_some() {
+            if self.probe.intersect(triangles.corners(block, lane), self.within).is_some() {
                 return true;
             }
         }
         false
-    };
-    let mut stack = Stack::<Link>::new();
-    let mut link = tree.root;
-    loop {
-        while link.is_node() {
-            let node = &tree.nodes[link.bits() as usize];
-            let (_, mut met) = boxes.meet(isa, node, limits);
-            if met == 0 {
-                break;
-            }
-            link = node.links[met.trailing_zeros() as usize & 7];
-            met &= met - 1;
-            while met != 0 {
-                stack.push(node.links[met.trailing_zeros() as usize & 7]);
-                met &= met - 1;
-            }
-        }
-        let found = match link.linked() {
-            Linked::Node(_) => false,
-            Linked::Blocks { first, count } => {
-                tree.blocks[first as usize..(first + count) as usize].iter().any(meets)
-            }
-            Linked::Mixed(index) => {
-                let (blocks, asked) = tree.mixed(index);
-                blocks.iter().any(meets) || ask(asked)
-            }
-        };
-        if found {
-            return true;
-        }
-        match stack.pop() {
-            Some(next) => link = next,
-            None => return false,
-        }
+    }
+
+    fn ask(&self, numbers: &[u32]) -> bool {
+        numbers.iter().any(|&number| self.primitives.intersect(number, self.ray, self.within).is_some())
     }
 }
 

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::{
     layout::Block,
-    simd::{Isa, Lanes},
+    simd::{Isa, Lanes, splat},
 };
 
 /// A ray made ready for blocks of triangles.
@@ -59,18 +59,23 @@ impl<I: Isa> TriangleLanes<I> {
     pub(super) fn new(isa: I, ray: &Ray, probe: &TriangleProbe, min: f32, magnitude: f32) -> Self {
         const ROUNDOFF: f32 = 0.5 * f32::EPSILON;
         const UNDERFLOW: f32 = 1.0 / (1_u128 << 120) as f32;
-        let all = |value: f32| I::F32::splat(isa, value);
         let reach = ROUNDOFF * (ray.origin.abs().max_element() + magnitude);
-        let direction = probe.turned(ray.direction);
+        let (origin, direction) = (probe.turned(ray.origin), probe.turned(ray.direction));
         let per_depth = 1.0 / direction.z;
         let depth_slack = 6.0 * reach * per_depth.abs();
         Self {
             axes: probe.axes(),
-            origin: probe.turned(ray.origin).to_array().map(all),
-            shear: [all(direction.x / direction.z), all(direction.y / direction.z)],
-            per_depth: all(per_depth),
-            bound: [all(40.0 * reach), all(160.0 * reach * reach + UNDERFLOW)],
-            min: all(min - depth_slack),
+            origin: splat(isa, origin.to_array()),
+            shear: [
+                I::F32::splat(isa, direction.x / direction.z),
+                I::F32::splat(isa, direction.y / direction.z),
+            ],
+            per_depth: I::F32::splat(isa, per_depth),
+            bound: [
+                I::F32::splat(isa, 40.0 * reach),
+                I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW),
+            ],
+            min: I::F32::splat(isa, min - depth_slack),
             depth_slack,
         }
     }
@@ -84,14 +89,9 @@ impl<I: Isa> TriangleLanes<I> {
     /// A bit for each triangle that the ray may meet.
     #[inline(always)]
     pub(super) fn candidates(&self, isa: I, block: &Block, limit: I::F32) -> u32 {
-        let corner = |rows: &[[f32; 8]; 3]| {
-            let seen = |axis: usize| I::F32::load(isa, &rows[self.axes[axis]]) - self.origin[axis];
-            let z = seen(2);
-            (seen(0) - self.shear[0] * z, seen(1) - self.shear[1] * z, z * self.per_depth)
-        };
-        let (ax, ay, a_depth) = corner(&block.corners[0]);
-        let (bx, by, b_depth) = corner(&block.corners[1]);
-        let (cx, cy, c_depth) = corner(&block.corners[2]);
+        let [ax, ay, a_depth] = self.projected(isa, &block.corners[0]);
+        let [bx, by, b_depth] = self.projected(isa, &block.corners[1]);
+        let [cx, cy, c_depth] = self.projected(isa, &block.corners[2]);
         let u = cx * by - cy * bx;
         let v = ax * cy - ay * cx;
         let w = bx * ay - by * ax;
@@ -104,6 +104,16 @@ impl<I: Isa> TriangleLanes<I> {
         let starts = a_depth.min(b_depth).min(c_depth);
         let ends = a_depth.max(b_depth).max(c_depth);
         inside & starts.le(limit) & self.min.le(ends)
+    }
+
+    /// The sheared `x'` and `y'` of a corner of each triangle, and its depth in multiples of the direction.
+    #[inline(always)]
+    fn projected(&self, isa: I, rows: &[[f32; 8]; 3]) -> [I::F32; 3] {
+        let [x, y, z] = self.axes;
+        let x = I::F32::load(isa, &rows[x]) - self.origin[0];
+        let y = I::F32::load(isa, &rows[y]) - self.origin[1];
+        let z = I::F32::load(isa, &rows[z]) - self.origin[2];
+        [x - self.shear[0] * z, y - self.shear[1] * z, z * self.per_depth]
     }
 
     /// The corners of one triangle of a block, turned as the probe wants them.
