@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
 use geometry::{Kernels, naive};
-use render::{Buckets, Crop, Lighting, Modules, Sampler, Settings};
+use render::{Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -58,6 +58,10 @@ pub(crate) struct RenderOptions {
     #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
           value_parser = parse_soft_shadows)]
     soft_shadows: Option<SoftShadows>,
+    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: so many that a pixel's rays together ask
+    /// about all. [default: shared]
+    #[arg(long, value_name = "N", value_parser = parse_light_samples)]
+    light_samples: Option<LightSamples>,
     /// Render only this part of the picture: its left column, top row, width and height in pixels.
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_crop)]
     crop: Option<Crop>,
@@ -153,6 +157,11 @@ struct BucketOption {
 }
 
 impl RenderOptions {
+    /// Those of a picture to be held against Sunflow's.
+    pub(crate) fn lit_as_by_sunflow() -> Self {
+        Self { lighting: Some(LightingName::Sunflow), ..Self::default() }
+    }
+
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
         let modules = match self.lighting {
@@ -183,6 +192,10 @@ impl RenderOptions {
 
     /// The scene's own settings, with what the command line says instead.
     pub(crate) fn settings(&self, scene: &Settings) -> Result<Settings, Failure> {
+        if let (Some(LightingName::Sunflow), Some(_)) = (self.lighting, self.ambient) {
+            return Err(Failure::new("`--ambient` has no meaning with `--lighting sunflow`")
+                .help("in Sunflow nothing shows where no light reaches: leave one of the two out, or put a light into the scene"));
+        }
         let size = self.size.unwrap_or(scene.size);
         if let Some(crop) = self.crop {
             let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);
@@ -205,6 +218,7 @@ impl RenderOptions {
             crop: self.crop,
             aa: self.aa.unwrap_or(scene.aa),
             samples: self.samples.unwrap_or(scene.samples),
+            light_samples: self.light_samples.unwrap_or(scene.light_samples),
             seed: self.seed.unwrap_or(scene.seed),
             buckets,
             threads: self.threads.or(scene.threads),
@@ -264,6 +278,14 @@ fn parse_soft_shadows(text: &str) -> Result<SoftShadows, String> {
             Ok(SoftShadows { along_edge, spacing })
         }
         _ => Err("soft shadows are 1 to 8 lights along an edge, and their distance, as in 3,0.1".to_owned()),
+    }
+}
+
+fn parse_light_samples(text: &str) -> Result<LightSamples, String> {
+    match text {
+        "all" => Ok(LightSamples::All),
+        "shared" => Ok(LightSamples::Shared),
+        _ => text.parse().map(LightSamples::Each).map_err(|_| "`all`, `shared`, or a number from 1".to_owned()),
     }
 }
 

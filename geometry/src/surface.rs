@@ -1,10 +1,11 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{Ray, rounding::UNIT_ROUNDOFF};
 
 /// Where a ray that leaves a surface in a direction starts: on the side that it goes to, as near to the surface as the point is known.
-/// The direction has any length but zero. The reference is [`Surface::origin_towards`].
-pub type RayOrigin = fn(&Surface, Vec3) -> Vec3;
+/// The direction has any length but zero; it is in `f64`, since that to a target may lie in the surface but for its last bits. The
+/// reference is [`Surface::origin_towards`].
+pub type RayOrigin = fn(&Surface, DVec3) -> Vec3;
 
 /// The surface at a hit, as a shader needs it. Computed for the nearest hit alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,12 +40,12 @@ impl Surface {
 
     /// A ray that leaves the surface in a direction.
     pub fn leave(&self, direction: Vec3) -> Ray {
-        Ray { origin: self.origin_towards(direction), direction }
+        Ray { origin: self.origin_towards(direction.as_dvec3()), direction }
     }
 
     /// A ray that leaves the surface and reaches `target` at `t = 1`.
     pub fn leave_towards(&self, target: Vec3) -> Ray {
-        let origin = self.origin_towards(target - self.position);
+        let origin = self.origin_towards(target.as_dvec3() - self.position.as_dvec3());
         Ray { origin, direction: target - origin }
     }
 
@@ -60,9 +61,9 @@ impl Surface {
     ///   ----|----- p ---|--|---- surface: somewhere in the box around p
     ///       +--------------+
     /// ```
-    pub fn origin_towards(&self, direction: Vec3) -> Vec3 {
+    pub fn origin_towards(&self, direction: DVec3) -> Vec3 {
         let normal = self.geometric_normal;
-        let outward = if direction.as_dvec3().dot(normal.as_dvec3()) < 0.0 { -normal } else { normal };
+        let outward = if direction.dot(normal.as_dvec3()) < 0.0 { -normal } else { normal };
         // Half of the error, which is doubled, is that of the point; the other half covers the rounding of what is returned, but for
         // its last bits, and for a point at the origin of space, which has no error.
         let height = normal.abs().dot(self.error) * (1.0 + 8.0 * UNIT_ROUNDOFF) + f32::MIN_POSITIVE;
