@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
 use geometry::{Kernels, naive};
-use render::{Buckets, Crop, Lighting, Modules, Sampler, Settings};
+use render::{Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -58,6 +58,10 @@ pub(crate) struct RenderOptions {
     #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
           value_parser = parse_soft_shadows)]
     soft_shadows: Option<SoftShadows>,
+    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: so many that a pixel's rays together ask
+    /// about all. [default: shared]
+    #[arg(long, value_name = "N", value_parser = parse_light_samples)]
+    light_samples: Option<LightSamples>,
     /// Render only this part of the picture: its left column, top row, width and height in pixels.
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_crop)]
     crop: Option<Crop>,
@@ -209,6 +213,7 @@ impl RenderOptions {
             crop: self.crop,
             aa: self.aa.unwrap_or(scene.aa),
             samples: self.samples.unwrap_or(scene.samples),
+            light_samples: self.light_samples.unwrap_or(scene.light_samples),
             seed: self.seed.unwrap_or(scene.seed),
             buckets,
             threads: self.threads.or(scene.threads),
@@ -268,6 +273,14 @@ fn parse_soft_shadows(text: &str) -> Result<SoftShadows, String> {
             Ok(SoftShadows { along_edge, spacing })
         }
         _ => Err("soft shadows are 1 to 8 lights along an edge, and their distance, as in 3,0.1".to_owned()),
+    }
+}
+
+fn parse_light_samples(text: &str) -> Result<LightSamples, String> {
+    match text {
+        "all" => Ok(LightSamples::All),
+        "shared" => Ok(LightSamples::Shared),
+        _ => text.parse().map(LightSamples::Each).map_err(|_| "`all`, `shared`, or a number from 1".to_owned()),
     }
 }
 

@@ -188,10 +188,15 @@ impl<'a> Parts<'a> {
 
         let ShaderTable { made: shaders, .. } = &self.shaders;
         let shading = self.shaders.needs();
-        let lights = match lighting.soft_shadows {
-            None => self.lights,
-            Some(soft) => self.lights.into_iter().flat_map(|light| (self.modules.soft_shadows)(light, soft)).collect(),
-        };
+        let (mut lights, mut clusters) = (Vec::new(), Vec::new());
+        for light in self.lights {
+            let start = lights.len();
+            match lighting.soft_shadows {
+                None => lights.push(light),
+                Some(soft) => lights.extend((self.modules.soft_shadows)(light, soft)),
+            }
+            clusters.push(start..lights.len());
+        }
         let casts_shadow = |number: u32| shaders[self.shader_of_bounded[number as usize] as usize].casts_shadow();
         let all_cast_shadows = (0..self.bounded.len()).all(casts_shadow);
         let blockers: Option<Box<dyn Accelerator>> = (!lights.is_empty() && !all_cast_shadows)
@@ -209,6 +214,7 @@ impl<'a> Parts<'a> {
             shaders: self.shaders.made,
             shader_of: [self.shader_of_bounded, self.shader_of_planes].concat(),
             lights,
+            clusters,
             ambient: lighting.ambient,
             background: self.background,
             secondary_background,

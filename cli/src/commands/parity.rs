@@ -62,7 +62,9 @@ impl Compared {
 
 pub(crate) fn run(arguments: &ParityArguments, modules: Modules) -> Result<(), Failure> {
     if let Some(folder) = arguments.difference.as_deref().filter(|folder| !folder.is_dir()) {
-        return Err(Failure::new(format!("there is no folder `{}` to write to", folder.display())).help("make it first"));
+        return Err(
+            Failure::new(format!("there is no folder `{}` to write to", folder.display())).help("make it first")
+        );
     }
     let mut compared = Vec::new();
     let mut failed = Vec::new();
@@ -207,14 +209,18 @@ fn unexplained(compared: &[Compared]) -> Option<String> {
             format!("{r} {g} {b}")
         };
         let listed = unexplained.iter().take(LISTED);
-        rows.extend(listed.map(|&at| {
-            vec![name.clone(), format!("{}, {}", at[0], at[1]), color(ours, at), color(reference, at)]
-        }));
+        rows.extend(
+            listed
+                .map(|&at| vec![name.clone(), format!("{}, {}", at[0], at[1]), color(ours, at), color(reference, at)]),
+        );
     }
     let headings =
         [("scene", Align::Left), ("pixel", Align::Right), ("ours", Align::Right), ("Sunflow's", Align::Right)];
     (!rows.is_empty()).then(|| {
-        format!("\nOff by more than {CLOSE}, and no edge beside them (the first {LISTED} of a scene):\n\n{}", markdown(&headings, &rows))
+        format!(
+            "\nOff by more than {CLOSE}, and no edge beside them (the first {LISTED} of a scene):\n\n{}",
+            markdown(&headings, &rows)
+        )
     })
 }
 
