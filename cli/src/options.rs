@@ -157,11 +157,6 @@ struct BucketOption {
 }
 
 impl RenderOptions {
-    /// Those of a picture to be held against Sunflow's.
-    pub(crate) fn lit_as_by_sunflow() -> Self {
-        Self { lighting: Some(LightingName::Sunflow), ..Self::default() }
-    }
-
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
         let modules = match self.lighting {
