@@ -1,4 +1,4 @@
-use glam::{DVec3, Vec3, swizzles::Vec3Swizzles};
+use glam::{DVec3, Vec3};
 
 use crate::{Intersection, Interval, Ray};
 
@@ -38,8 +38,8 @@ use crate::{Intersection, Interval, Ray};
 /// The projected corners themselves are off by a few `v` of their distance, as much less than that slack.
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleProbe {
-    /// Which axis has become z.
-    along: Axis,
+    /// Which of x, y, z have become x, y, z.
+    axes: [usize; 3],
     /// With its axes turned.
     origin: DVec3,
     /// With its axes turned: z is the largest component.
@@ -53,32 +53,26 @@ impl TriangleProbe {
     /// Makes a ray ready.
     #[inline]
     pub fn new(ray: &Ray) -> Self {
-        let along = largest_axis(ray.direction);
-        Self {
-            along,
-            origin: turned(ray.origin, along).as_dvec3(),
-            direction: turned(ray.direction, along).as_dvec3(),
-        }
+        // Looked up, not branched on: rays that have been reflected go all ways.
+        const TURNED: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+        let axes = TURNED[largest_axis(ray.direction)];
+        Self { axes, origin: turned(ray.origin, axes).as_dvec3(), direction: turned(ray.direction, axes).as_dvec3() }
     }
 
     /// A point with the axes turned so that the ray's largest component is last.
     #[inline]
     pub fn turned(&self, point: Vec3) -> Vec3 {
-        turned(point, self.along)
+        turned(point, self.axes)
     }
 
     /// Which of x, y, z are the first, second and third component of [`Self::turned`].
     #[inline]
     pub fn axes(&self) -> [usize; 3] {
-        match self.along {
-            Axis::X => [1, 2, 0],
-            Axis::Y => [2, 0, 1],
-            Axis::Z => [0, 1, 2],
-        }
+        self.axes
     }
 
     /// Where the ray meets the triangle with these corners, each [`Self::turned`], strictly within the interval.
-    #[inline]
+    #[inline(always)]
     pub fn intersect(&self, corners: [Vec3; 3], within: Interval) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);
@@ -149,33 +143,18 @@ fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> Option<[f64; 3]> {
     (all_positive || all_negative).then_some(weights)
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Axis {
-    X,
-    Y,
-    Z,
-}
-
 /// The axis of the component of largest magnitude; the first of equal ones.
 #[inline]
-fn largest_axis(direction: Vec3) -> Axis {
+fn largest_axis(direction: Vec3) -> usize {
     let [x, y, z] = direction.abs().to_array();
-    if x >= y && x >= z {
-        Axis::X
-    } else if y >= z {
-        Axis::Y
-    } else {
-        Axis::Z
-    }
+    let of_y_and_z = if y >= z { 1 } else { 2 };
+    if (x >= y) & (x >= z) { 0 } else { of_y_and_z }
 }
 
 #[inline]
-fn turned(v: Vec3, along: Axis) -> Vec3 {
-    match along {
-        Axis::X => v.yzx(),
-        Axis::Y => v.zxy(),
-        Axis::Z => v,
-    }
+fn turned(v: Vec3, [x, y, z]: [usize; 3]) -> Vec3 {
+    let v = v.to_array();
+    Vec3::new(v[x], v[y], v[z])
 }
 
 #[cfg(test)]

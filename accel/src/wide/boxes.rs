@@ -19,7 +19,7 @@ use super::{
 /// With `u = 2^-24`, `R = |o| + B` on the axis, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: the difference and the
 /// product round three times, which moves a crossing by at most `3u R |i|` and a little. A hit is off its box by an eighth of
 /// `u R |i|` ([`geometry::TriangleProbe`]; other primitives: by much less), its `t` by another `u R |i|` when it is rounded to `f32`.
-/// In the watertight way a triangle counts as met up to `7u R |i|` beside it ([`super::triangles`]). That makes `12u`; the origin
+/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes `13u`; the origin
 /// itself is moved, forward for the near planes and back for the far ones, by `16u R`, rounded to no less than `15u R`. Nothing
 /// need be done for it in the test.
 ///
@@ -45,7 +45,7 @@ impl<I: Isa> BoxLanes<I> {
         let direction =
             ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
         let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
-        let forward = Vec3::from(direction).signum() * slack;
+        let forward = slack.copysign(direction.into());
         let inverse = direction.map(|d| 1.0 / d);
         Self {
             near_origin: splat(isa, (ray.origin + forward).to_array()),
