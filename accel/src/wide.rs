@@ -4,6 +4,7 @@ mod boxes;
 mod build;
 mod cells;
 mod collapse;
+mod decide;
 mod layout;
 mod morton;
 mod simd;
@@ -13,6 +14,7 @@ mod triangles;
 use geometry::{Hit, Interval, Primitives, Ray};
 
 use crate::{Accelerator, Statistics, none::closest_of};
+use decide::{Decide, Exact, Watertight};
 use layout::{Block, Link, Mixed, Node};
 use simd::{Isa, Portable};
 
@@ -25,17 +27,26 @@ const MOST_PENDING: usize = 7 * MOST_LEVELS + 1;
 
 /// Builds the wide octree.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {
+    with(primitives, Exact)
+}
+
+/// The same, with hits decided in `f32`.
+pub fn wide_watertight(primitives: Primitives) -> Box<dyn Accelerator> {
+    with(primitives, Watertight)
+}
+
+fn with<D: Decide + Send + Sync + 'static>(primitives: Primitives, decide: D) -> Box<dyn Accelerator> {
     let tree = build::build(&primitives);
     #[cfg(target_arch = "x86_64")]
     {
         if let Some(isa) = simd::Avx512::detect() {
-            return Box::new(Wide { isa, primitives, tree });
+            return Box::new(Wide { isa, decide, primitives, tree });
         }
         if let Some(isa) = simd::Avx2::detect() {
-            return Box::new(Wide { isa, primitives, tree });
+            return Box::new(Wide { isa, decide, primitives, tree });
         }
     }
-    Box::new(Wide { isa: Portable, primitives, tree })
+    Box::new(Wide { isa: Portable, decide, primitives, tree })
 }
 
 struct Tree {
@@ -54,15 +65,17 @@ struct Tree {
     depth: usize,
 }
 
-struct Wide<I> {
+struct Wide<I, D> {
     isa: I,
+    #[expect(dead_code, reason = "its type counts")]
+    decide: D,
     primitives: Primitives,
     tree: Tree,
 }
 
 /// Whether the bounds argued for hold for a ray: nothing in it is infinite or a NaN, and nothing overflows. Other rays ask every primitive.
 fn is_ordinary(ray: &Ray) -> bool {
-    const FARTHEST: f32 = (1_u64 << 40) as f32;
+    const FARTHEST: f32 = (1_u64 << 36) as f32;
     let length = ray.direction.abs().max_element();
     // NaN compares false.
     ray.origin.abs().cmplt(glam::Vec3::splat(FARTHEST)).all()
@@ -70,13 +83,13 @@ fn is_ordinary(ray: &Ray) -> bool {
         && length > 1.0 / FARTHEST
 }
 
-impl<I: Isa + Send + Sync> Accelerator for Wide<I> {
+impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         if !is_ordinary(ray) {
             return closest_of(&self.primitives, 0..self.primitives.len(), ray, within, None);
         }
         self.isa.vectorize(#[inline(always)]
-        || traverse::closest(self.isa, &self.tree, &self.primitives, ray, within))
+        || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within))
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
@@ -84,7 +97,7 @@ impl<I: Isa + Send + Sync> Accelerator for Wide<I> {
             return (0..self.primitives.len()).any(|number| self.primitives.intersect(number, ray, within).is_some());
         }
         self.isa.vectorize(#[inline(always)]
-        || traverse::any(self.isa, &self.tree, &self.primitives, ray, within))
+        || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within))
     }
 
     fn statistics(&self) -> Statistics {

@@ -76,7 +76,11 @@ impl TriangleProbe {
     pub fn intersect(&self, corners: [Vec3; 3], within: Interval) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);
-        let [weight_a, weight_b, weight_c] = edge_functions(seen, self.direction)?;
+        let weights = edge_functions(seen, self.direction);
+        if !have_one_sign(weights) {
+            return None;
+        }
+        let [weight_a, weight_b, weight_c] = weights;
         let sum = weight_a + weight_b + weight_c;
         // Edge-on, or without area: there is no one place where they meet.
         if sum == 0.0 {
@@ -97,6 +101,21 @@ impl TriangleProbe {
         }
         let inverse = 1.0 / sum;
         Some(Intersection { t, u: (weight_b * inverse) as f32, v: (weight_c * inverse) as f32 })
+    }
+
+    /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
+    /// decided again. The weights are cut to the triangle. `None` if it is edge-on, and where they meet cannot be said.
+    pub fn locate(&self, corners: [Vec3; 3]) -> Option<Intersection> {
+        let corners = corners.map(|corner| corner.as_dvec3());
+        let seen = corners.map(|corner| corner - self.origin);
+        let [weight_a, weight_b, weight_c] = edge_functions(seen, self.direction);
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let t = normal.dot(seen[0]) / normal.dot(self.direction);
+        let inverse = 1.0 / (weight_a + weight_b + weight_c);
+        let u = (weight_b * inverse).clamp(0.0, 1.0);
+        let v = (weight_c * inverse).clamp(0.0, 1.0 - u);
+        let t = self.cut_to_box(seen, t)?;
+        (!u.is_nan() && !v.is_nan()).then_some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
     }
 
     /// A `t` cut to where the ray is in the box of corners seen from its origin; `None` if that is nowhere. Where `t` is not a number,
@@ -128,19 +147,21 @@ impl TriangleProbe {
     }
 }
 
-/// The edge functions of corners seen from the origin, along a direction whose z is its largest component; `None` if they differ in
-/// sign.
-#[inline]
-fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> Option<[f64; 3]> {
+/// The edge functions of corners seen from the origin, along a direction whose z is its largest component.
+#[inline(always)]
+fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> [f64; 3] {
     let [a, b, c] = corners.map(|corner| {
         let sheared = corner.truncate() * direction.z - direction.truncate() * corner.z;
         [sheared.x, sheared.y]
     });
     let edge = |from: [f64; 2], to: [f64; 2]| to[0] * from[1] - to[1] * from[0];
-    let weights = [edge(b, c), edge(c, a), edge(a, b)];
-    let all_positive = weights.iter().all(|&weight| weight >= 0.0);
-    let all_negative = weights.iter().all(|&weight| weight <= 0.0);
-    (all_positive || all_negative).then_some(weights)
+    [edge(b, c), edge(c, a), edge(a, b)]
+}
+
+#[inline(always)]
+fn have_one_sign([a, b, c]: [f64; 3]) -> bool {
+    // Not &&: the comparisons are cheaper than branches on them.
+    ((a >= 0.0) & (b >= 0.0) & (c >= 0.0)) | ((a <= 0.0) & (b <= 0.0) & (c <= 0.0))
 }
 
 /// The axis of the component of largest magnitude; the first of equal ones.

@@ -15,8 +15,8 @@ use geometry::{Interval, Primitives, Ray};
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
     let wanted = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(&**word));
-    println!("| mesh | rays | Embree Mrays/s | robust | exact |");
-    println!("|---|---|---|---|---|");
+    println!("| mesh | rays | Embree Mrays/s | robust | exact | watertight |");
+    println!("|---|---|---|---|---|---|");
     for (name, make) in meshes::all() {
         if !wanted(name) {
             continue;
@@ -27,6 +27,7 @@ fn main() {
         let start = Instant::now();
         let exact = accel::wide(primitives.clone());
         let built = start.elapsed().as_secs_f64();
+        let watertight = accel::wide_watertight(primitives.clone());
         let start = Instant::now();
         let default = Embree::build(&scene.mesh.positions, &scene.mesh.triangles, Mode::Default, 2);
         let embree_built = start.elapsed().as_secs_f64();
@@ -43,8 +44,9 @@ fn main() {
             });
             let different = different.count();
             let closest = |ray: &Ray| exact.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
+            let closest_w = |ray: &Ray| watertight.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
             let others = [&default, &robust].map(|embree| move |ray: &Ray| embree.closest(ray).map_or(0.0, |hit| hit.1));
-            report(name, kind, rays, &[&others[0], &others[1], &closest], different);
+            report(name, kind, rays, &[&others[0], &others[1], &closest, &closest_w], different);
         }
         let different = rays
             .shadow
@@ -52,8 +54,9 @@ fn main() {
             .filter(|ray| exact.any(ray, rays::SHADOW) != robust.any(ray, rays::SHADOW))
             .count();
         let any = |ray: &Ray| f32::from(exact.any(ray, rays::SHADOW));
+        let any_w = |ray: &Ray| f32::from(watertight.any(ray, rays::SHADOW));
         let others = [&default, &robust].map(|embree| move |ray: &Ray| f32::from(embree.any(ray, rays::SHADOW)));
-        report(name, "shadow", &rays.shadow, &[&others[0], &others[1], &any], different);
+        report(name, "shadow", &rays.shadow, &[&others[0], &others[1], &any, &any_w], different);
     }
 }
 
@@ -66,10 +69,12 @@ fn report(name: &str, kind: &str, rays: &[Ray], contestants: &[&dyn Fn(&Ray) -> 
     let ratio = |a: usize, b: usize| times[a] / times[b];
     let speed = rays.len() as f64 / times[0] / 1e6;
     println!(
-        "| {name} | {kind} | {speed:.2} | {:.2} | {:.2} (robust {:.2}) | {different} differ",
+        "| {name} | {kind} | {speed:.2} | {:.2} | {:.2} ({:.2}) | {:.2} ({:.2}) | {different} differ",
         ratio(0, 1),
         ratio(0, 2),
-        ratio(1, 2)
+        ratio(1, 2),
+        ratio(0, 3),
+        ratio(1, 3)
     );
 }
 

@@ -40,7 +40,7 @@ const SLACK: f32 = 8.0 * f32::EPSILON;
 impl<I: Isa> BoxLanes<I> {
     #[inline(always)]
     pub(super) fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
-        const NEGLIGIBLE: f32 = 1.0 / (1_u128 << 64) as f32;
+        const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let direction =
             ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
@@ -48,8 +48,8 @@ impl<I: Isa> BoxLanes<I> {
         let forward = slack.copysign(direction.into());
         let inverse = direction.map(|d| 1.0 / d);
         Self {
-            near_origin: splat(isa, (ray.origin + forward).to_array()),
-            far_origin: splat(isa, (ray.origin - forward).to_array()),
+            near_origin: splat(isa, ((ray.origin + forward) * Vec3::from(inverse)).to_array()),
+            far_origin: splat(isa, ((ray.origin - forward) * Vec3::from(inverse)).to_array()),
             inverse: splat(isa, inverse),
             near: direction.map(|d| usize::from(d < 0.0)),
             min: I::F32::splat(isa, min),
@@ -67,12 +67,12 @@ impl<I: Isa> BoxLanes<I> {
     #[inline(always)]
     fn enter(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
         let near = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1]);
-        (near - self.near_origin[axis]) * self.inverse[axis]
+        near.times_less(self.inverse[axis], self.near_origin[axis])
     }
 
     #[inline(always)]
     fn leave(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
         let far = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1 ^ 1]);
-        (far - self.far_origin[axis]) * self.inverse[axis]
+        far.times_less(self.inverse[axis], self.far_origin[axis])
     }
 }

@@ -1,10 +1,13 @@
 //! One ray through the tree.
 
+use std::marker::PhantomData;
+
 use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
     boxes::BoxLanes,
+    decide::Decide,
     layout::{Block, Link, Linked, Mixed},
     simd::{Isa, Lanes, Stack},
     triangles::TriangleLanes,
@@ -27,7 +30,7 @@ fn distance(pending: Pending) -> f32 {
 
 /// A ray's nearest hit.
 #[inline(always)]
-pub(super) fn closest<I: Isa>(
+pub(super) fn closest<I: Isa, D: Decide>(
     isa: I,
     tree: &Tree,
     primitives: &Primitives,
@@ -35,7 +38,7 @@ pub(super) fn closest<I: Isa>(
     within: Interval,
 ) -> Option<Hit> {
     let probe = TriangleProbe::new(ray);
-    let mut walk = Walk::new(isa, tree, primitives, ray, &probe, within);
+    let mut walk = Walk::<I, D>::new(isa, tree, primitives, ray, &probe, within);
     let mut stack = Stack::new();
     let mut link = tree.root;
     loop {
@@ -49,29 +52,32 @@ pub(super) fn closest<I: Isa>(
         }
         match walk.pop(&mut stack) {
             Some(next) => link = next,
-            None => return walk.nearest,
+            None => return D::finish(&walk),
         }
     }
 }
 
 /// A ray on its way to its nearest hit.
-struct Walk<'a, I: Isa> {
-    isa: I,
+pub(super) struct Walk<'a, I: Isa, D> {
+    pub(super) isa: I,
     tree: &'a Tree,
     primitives: &'a Primitives,
     ray: &'a Ray,
-    within: Interval,
-    probe: &'a TriangleProbe,
+    pub(super) within: Interval,
+    pub(super) probe: &'a TriangleProbe,
     boxes: BoxLanes<I>,
-    triangles: TriangleLanes<I>,
-    nearest: Option<Hit>,
+    pub(super) triangles: TriangleLanes<I>,
+    pub(super) nearest: Option<Hit>,
+    /// Where it stands, if in a block: for who has still to look closer.
+    pub(super) place: Option<(&'a Block, usize)>,
     /// Where the nearest hit is, or the interval ends; in three forms.
     limit: f32,
-    box_limit: I::F32,
-    depth_limit: I::F32,
+    pub(super) box_limit: I::F32,
+    pub(super) depth_limit: I::F32,
+    decide: PhantomData<D>,
 }
 
-impl<'a, I: Isa> Walk<'a, I> {
+impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
     #[inline(always)]
     fn new(
         isa: I,
@@ -90,6 +96,8 @@ impl<'a, I: Isa> Walk<'a, I> {
             within,
             boxes: BoxLanes::new(isa, ray, within.min, tree.magnitude),
             nearest: None,
+            place: None,
+            decide: PhantomData,
             limit: within.max,
             box_limit: I::F32::splat(isa, within.max),
             depth_limit: triangles.limit(isa, within.max),
@@ -149,31 +157,21 @@ impl<'a, I: Isa> Walk<'a, I> {
     fn leaf(&mut self, link: Link) {
         let (blocks, asked) = self.tree.leaf(link);
         for block in blocks {
-            self.block(block);
+            D::block(self, block);
         }
         if !asked.is_empty() {
             self.ask(asked);
         }
     }
 
+    /// A hit, if it comes before the nearest so far.
     #[inline(always)]
-    fn block(&mut self, block: &Block) {
-        let mut candidates = self.triangles.candidates(self.isa, block, self.depth_limit);
-        while candidates != 0 {
-            let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
-            if let Some(met) = self.probe.intersect(self.triangles.corners(block, lane), self.within) {
-                let hit = met.on(block.primitives[lane & 7]);
-                if self.nearest.is_none_or(|nearest| hit.is_before(nearest)) {
-                    self.found(hit);
-                }
-            }
+    pub(super) fn found(&mut self, hit: Hit, place: Option<(&'a Block, usize)>) {
+        if self.nearest.is_some_and(|nearest| !hit.is_before(nearest)) {
+            return;
         }
-    }
-
-    #[inline(always)]
-    fn found(&mut self, hit: Hit) {
         self.nearest = Some(hit);
+        self.place = place;
         self.limit = hit.t;
         self.box_limit = I::F32::splat(self.isa, hit.t);
         self.depth_limit = self.triangles.limit(self.isa, hit.t);
@@ -183,7 +181,7 @@ impl<'a, I: Isa> Walk<'a, I> {
     #[inline(always)]
     fn ask(&mut self, numbers: &[u32]) {
         if let Some(hit) = nearest_of(self.primitives, numbers, self.ray, self.within, self.nearest) {
-            self.found(hit);
+            self.found(hit, None);
         }
     }
 }
@@ -212,8 +210,15 @@ fn sink(entries: &mut [Pending]) {
 
 /// Whether a ray meets anything.
 #[inline(always)]
-pub(super) fn any<I: Isa>(isa: I, tree: &Tree, primitives: &Primitives, ray: &Ray, within: Interval) -> bool {
-    let search = Search {
+pub(super) fn any<I: Isa, D: Decide>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: Interval,
+) -> bool {
+    let search = Search::<I, D> {
+        decide: PhantomData,
         isa,
         tree,
         primitives,
@@ -225,16 +230,17 @@ pub(super) fn any<I: Isa>(isa: I, tree: &Tree, primitives: &Primitives, ray: &Ra
 }
 
 /// A ray that looks for anything in its way.
-struct Search<'a, I: Isa> {
-    isa: I,
+pub(super) struct Search<'a, I: Isa, D> {
+    pub(super) isa: I,
     tree: &'a Tree,
     primitives: &'a Primitives,
     ray: &'a Ray,
-    within: Interval,
-    probe: TriangleProbe,
+    pub(super) within: Interval,
+    pub(super) probe: TriangleProbe,
+    decide: PhantomData<D>,
 }
 
-impl<I: Isa> Search<'_, I> {
+impl<I: Isa, D: Decide> Search<'_, I, D> {
     #[inline(always)]
     fn run(&self) -> bool {
         if !self.tree.beside.is_empty() && self.ask(&self.tree.beside) {
@@ -263,7 +269,7 @@ impl<I: Isa> Search<'_, I> {
             if !link.is_node() {
                 let (blocks, asked) = self.tree.leaf(link);
                 for block in blocks {
-                    if self.block(&triangles, block, depth_limit) {
+                    if D::is_met(self, &triangles, block, box_limit, depth_limit) {
                         return true;
                     }
                 }
@@ -276,19 +282,6 @@ impl<I: Isa> Search<'_, I> {
                 None => return false,
             }
         }
-    }
-
-    #[inline(always)]
-    fn block(&self, triangles: &TriangleLanes<I>, block: &Block, depth_limit: I::F32) -> bool {
-        let mut candidates = triangles.candidates(self.isa, block, depth_limit);
-        while candidates != 0 {
-            let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
-            if self.probe.intersect(triangles.corners(block, lane), self.within).is_some() {
-                return true;
-            }
-        }
-        false
     }
 
     #[inline(never)]

@@ -106,6 +106,23 @@ impl<I: Isa> TriangleLanes<I> {
         inside & starts.le(limit) & self.min.le(ends)
     }
 
+    /// A bit for each triangle that `f32` decides the ray meets, and where.
+    #[inline(always)]
+    pub(super) fn met(&self, isa: I, block: &Block, min: I::F32, limit: I::F32) -> (u32, I::F32) {
+        let [ax, ay, a_depth] = self.projected(isa, &block.corners[0]);
+        let [bx, by, b_depth] = self.projected(isa, &block.corners[1]);
+        let [cx, cy, c_depth] = self.projected(isa, &block.corners[2]);
+        let u = cx * by - cy * bx;
+        let v = ax * cy - ay * cx;
+        let w = bx * ay - by * ax;
+        let zero = I::F32::splat(isa, 0.0);
+        let inside = zero.le(u.min(v).min(w)) | u.max(v).max(w).le(zero);
+        let sum = u + v + w;
+        let t = (u * a_depth + v * b_depth + w * c_depth) / sum;
+        // A NaN, of a sum of 0, is below nothing.
+        (inside & min.lt(t) & t.le(limit), t)
+    }
+
     /// The sheared `x'` and `y'` of a corner of each triangle, and its depth in multiples of the direction.
     #[inline(always)]
     fn projected(&self, isa: I, rows: &[[f32; 8]; 3]) -> [I::F32; 3] {
