@@ -80,42 +80,44 @@ impl TriangleProbe {
         if !have_one_sign(weights) {
             return None;
         }
-        let [weight_a, weight_b, weight_c] = weights;
-        let sum = weight_a + weight_b + weight_c;
         // Edge-on, or without area: there is no one place where they meet.
+        let sum = weights[0] + weights[1] + weights[2];
         if sum == 0.0 {
             return None;
         }
-        let (along_b, along_c) = (corners[1] - corners[0], corners[2] - corners[0]);
-        let normal = along_b.cross(along_c);
-        let facing = normal.dot(self.direction);
-        let mut t = normal.dot(seen[0]) / facing;
-        let size = along_b.abs().max_element() * along_c.abs().max_element();
-        let is_edge_on = facing.abs() < EDGE_ON * size * self.direction.z.abs();
-        if is_edge_on || weight_a == 0.0 || weight_b == 0.0 || weight_c == 0.0 {
-            t = self.cut_to_box(seen, t)?;
-        }
-        let t = t as f32;
+        let t = self.t_of(corners, seen, weights)? as f32;
         if !within.contains(t) {
             return None;
         }
         let inverse = 1.0 / sum;
-        Some(Intersection { t, u: (weight_b * inverse) as f32, v: (weight_c * inverse) as f32 })
+        Some(Intersection { t, u: (weights[1] * inverse) as f32, v: (weights[2] * inverse) as f32 })
+    }
+
+    /// The `t` of a triangle that the ray meets: that of its plane, cut to its box if in doubt.
+    #[inline(always)]
+    fn t_of(&self, corners: [DVec3; 3], seen: [DVec3; 3], weights: [f64; 3]) -> Option<f64> {
+        let (along_b, along_c) = (corners[1] - corners[0], corners[2] - corners[0]);
+        let normal = along_b.cross(along_c);
+        let facing = normal.dot(self.direction);
+        let t = normal.dot(seen[0]) / facing;
+        let size = along_b.abs().max_element() * along_c.abs().max_element();
+        let is_edge_on = facing.abs() < EDGE_ON * size * self.direction.z.abs();
+        let is_in_doubt = is_edge_on | (weights[0] == 0.0) | (weights[1] == 0.0) | (weights[2] == 0.0);
+        if is_in_doubt { self.cut_to_box(seen, t) } else { Some(t) }
     }
 
     /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
     /// decided again. The weights are cut to the triangle. `None` if it is edge-on, and where they meet cannot be said.
+    #[inline(always)]
     pub fn locate(&self, corners: [Vec3; 3]) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);
-        let [weight_a, weight_b, weight_c] = edge_functions(seen, self.direction);
-        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        let t = normal.dot(seen[0]) / normal.dot(self.direction);
-        let inverse = 1.0 / (weight_a + weight_b + weight_c);
-        let u = (weight_b * inverse).clamp(0.0, 1.0);
-        let v = (weight_c * inverse).clamp(0.0, 1.0 - u);
-        let t = self.cut_to_box(seen, t)?;
-        (!u.is_nan() && !v.is_nan()).then_some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
+        let weights = edge_functions(seen, self.direction);
+        let inverse = 1.0 / (weights[0] + weights[1] + weights[2]);
+        let u = (weights[1] * inverse).clamp(0.0, 1.0);
+        let v = (weights[2] * inverse).clamp(0.0, 1.0 - u);
+        let t = self.t_of(corners, seen, weights)?;
+        (!u.is_nan() & !v.is_nan()).then_some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
     }
 
     /// A `t` cut to where the ray is in the box of corners seen from its origin; `None` if that is nowhere. Where `t` is not a number,

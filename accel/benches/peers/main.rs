@@ -18,7 +18,7 @@ fn main() {
     println!("| mesh | rays | Embree Mrays/s | robust | exact | watertight |");
     println!("|---|---|---|---|---|---|");
     for (name, make) in meshes::all() {
-        if !wanted(name) {
+        if !["primary", "diffuse", "shadow"].iter().any(|kind| wanted(&format!("{name} {kind}"))) {
             continue;
         }
         let scene = make();
@@ -46,7 +46,7 @@ fn main() {
             let closest = |ray: &Ray| exact.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
             let closest_w = |ray: &Ray| watertight.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
             let others = [&default, &robust].map(|embree| move |ray: &Ray| embree.closest(ray).map_or(0.0, |hit| hit.1));
-            report(name, kind, rays, &[&others[0], &others[1], &closest, &closest_w], different);
+            report(wanted(&format!("{name} {kind}")), name, kind, rays, &[&others[0], &others[1], &closest, &closest_w], different);
         }
         let different = rays
             .shadow
@@ -56,7 +56,7 @@ fn main() {
         let any = |ray: &Ray| f32::from(exact.any(ray, rays::SHADOW));
         let any_w = |ray: &Ray| f32::from(watertight.any(ray, rays::SHADOW));
         let others = [&default, &robust].map(|embree| move |ray: &Ray| f32::from(embree.any(ray, rays::SHADOW)));
-        report(name, "shadow", &rays.shadow, &[&others[0], &others[1], &any, &any_w], different);
+        report(wanted(&format!("{name} shadow")), name, "shadow", &rays.shadow, &[&others[0], &others[1], &any, &any_w], different);
     }
 }
 
@@ -64,7 +64,10 @@ fn main() {
 const TURN: usize = 1 << 12;
 const ROUNDS: usize = 15;
 
-fn report(name: &str, kind: &str, rays: &[Ray], contestants: &[&dyn Fn(&Ray) -> f32], different: usize) {
+fn report(wanted: bool, name: &str, kind: &str, rays: &[Ray], contestants: &[&dyn Fn(&Ray) -> f32], different: usize) {
+    if !wanted {
+        return;
+    }
     let times = times(rays, contestants);
     let ratio = |a: usize, b: usize| times[a] / times[b];
     let speed = rays.len() as f64 / times[0] / 1e6;
