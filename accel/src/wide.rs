@@ -154,16 +154,20 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         if !is_ordinary(ray) {
             return closest_of(&self.primitives, 0..self.primitives.len(), ray, within, None);
         }
-        self.isa.vectorize(#[inline(always)]
-        || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within))
+        self.isa.vectorize(
+            #[inline(always)]
+            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+        )
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         if !is_ordinary(ray) {
             return (0..self.primitives.len()).any(|number| self.primitives.intersect(number, ray, within).is_some());
         }
-        self.isa.vectorize(#[inline(always)]
-        || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within))
+        self.isa.vectorize(
+            #[inline(always)]
+            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+        )
     }
 
     fn statistics(&self) -> Statistics {
@@ -173,7 +177,10 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
             leaves: blocks.len(),
             depth: *depth,
             references: self.primitives.len() as usize,
-            bytes: size_of_val(&nodes[..]) + size_of_val(&blocks[..]) + size_of_val(&mixed[..]) + size_of_val(&asked[..]),
+            bytes: size_of_val(&nodes[..])
+                + size_of_val(&blocks[..])
+                + size_of_val(&mixed[..])
+                + size_of_val(&asked[..]),
         }
     }
 }

@@ -36,7 +36,10 @@ fn main() {
         let statistics = exact.statistics();
         println!(
             "| {name} | {} triangles, {} rays hit; built in {built:.3} s (Embree {embree_built:.3}); {:.1} B/tri, depth {} |",
-            primitives.len(), rays.shadow.len(), statistics.bytes as f64 / f64::from(primitives.len()), statistics.depth
+            primitives.len(),
+            rays.shadow.len(),
+            statistics.bytes as f64 / f64::from(primitives.len()),
+            statistics.depth
         );
         for (kind, rays) in [("primary", &rays.primary), ("diffuse", &rays.diffuse)] {
             let different = rays.iter().filter(|ray| {
@@ -45,18 +48,30 @@ fn main() {
             let different = different.count();
             let closest = |ray: &Ray| exact.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
             let closest_w = |ray: &Ray| watertight.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
-            let others = [&default, &robust].map(|embree| move |ray: &Ray| embree.closest(ray).map_or(0.0, |hit| hit.1));
-            report(wanted(&format!("{name} {kind}")), name, kind, rays, &[&others[0], &others[1], &closest, &closest_w], different);
+            let others =
+                [&default, &robust].map(|embree| move |ray: &Ray| embree.closest(ray).map_or(0.0, |hit| hit.1));
+            report(
+                wanted(&format!("{name} {kind}")),
+                name,
+                kind,
+                rays,
+                &[&others[0], &others[1], &closest, &closest_w],
+                different,
+            );
         }
-        let different = rays
-            .shadow
-            .iter()
-            .filter(|ray| exact.any(ray, rays::SHADOW) != robust.any(ray, rays::SHADOW))
-            .count();
+        let different =
+            rays.shadow.iter().filter(|ray| exact.any(ray, rays::SHADOW) != robust.any(ray, rays::SHADOW)).count();
         let any = |ray: &Ray| f32::from(exact.any(ray, rays::SHADOW));
         let any_w = |ray: &Ray| f32::from(watertight.any(ray, rays::SHADOW));
         let others = [&default, &robust].map(|embree| move |ray: &Ray| f32::from(embree.any(ray, rays::SHADOW)));
-        report(wanted(&format!("{name} shadow")), name, "shadow", &rays.shadow, &[&others[0], &others[1], &any, &any_w], different);
+        report(
+            wanted(&format!("{name} shadow")),
+            name,
+            "shadow",
+            &rays.shadow,
+            &[&others[0], &others[1], &any, &any_w],
+            different,
+        );
     }
 }
 

@@ -70,13 +70,7 @@ fn fence() -> Scene {
             }
         }
     }
-    Scene {
-        name: "fence",
-        mesh,
-        eye: Vec3::new(0.5, -4.0, 0.3),
-        target: Vec3::ZERO,
-        light: Vec3::new(3.0, -9.0, 5.0),
-    }
+    Scene { name: "fence", mesh, eye: Vec3::new(0.5, -4.0, 0.3), target: Vec3::ZERO, light: Vec3::new(3.0, -9.0, 5.0) }
 }
 
 /// Many small spheres in a big room: the teapot in the stadium.
@@ -171,11 +165,7 @@ fn sphere(around: u32, down: u32, place: impl Fn(Vec3) -> Vec3) -> Mesh {
         let lower = (i + 1 < down).then(|| [at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
         upper.into_iter().chain(lower)
     });
-    Mesh {
-        positions: (0..(down + 1) * around).map(point).collect(),
-        triangles: faces.collect(),
-        ..Mesh::default()
-    }
+    Mesh { positions: (0..(down + 1) * around).map(point).collect(), triangles: faces.collect(), ..Mesh::default() }
 }
 
 /// Each triangle cut into four equal ones.
@@ -185,7 +175,9 @@ fn subdivided(mesh: &Mesh) -> Mesh {
         let [a, b, c] = corners.map(|corner| mesh.positions[corner as usize]);
         let first = finer.positions.len() as u32;
         finer.positions.extend([a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)]);
-        finer.triangles.extend([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]].map(|face| face.map(|corner| first + corner)));
+        finer
+            .triangles
+            .extend([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]].map(|face| face.map(|corner| first + corner)));
     }
     finer
 }

@@ -42,8 +42,7 @@ impl<I: Isa> BoxLanes<I> {
     pub(super) fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
         const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
-        let direction =
-            ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
+        let direction = ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
         let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
         let forward = slack.copysign(direction.into());
         let inverse = direction.map(|d| 1.0 / d);

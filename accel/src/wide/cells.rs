@@ -124,8 +124,9 @@ mod tests {
 
     #[test]
     fn a_row_is_cut_at_the_highest_level_where_its_codes_differ() {
-        let row: Vec<Coded> =
-            [0b001_000_000, 0b001_010_000, 0b001_010_001, 0b001_111_111].map(|code| Coded { code, primitive: 0 }).into();
+        let row: Vec<Coded> = [0b001_000_000, 0b001_010_000, 0b001_010_001, 0b001_111_111]
+            .map(|code| Coded { code, primitive: 0 })
+            .into();
         let parts = eighths(&row);
         assert_eq!((parts[0], parts[1], parts[2], parts[7]), ((0, 1), (1, 1), (1, 3), (3, 4)));
     }

@@ -129,7 +129,9 @@ mod tests {
     #[test]
     fn the_sort_is_by_code_then_by_number() {
         // Many in one part, so that both ways to sort are taken; low bits differ, and some codes are equal.
-        let code = |i: u32| if i.is_multiple_of(3) { u64::from(i) << 40 } else { u64::from(i.wrapping_mul(2_654_435_761) >> 12) };
+        let code = |i: u32| {
+            if i.is_multiple_of(3) { u64::from(i) << 40 } else { u64::from(i.wrapping_mul(2_654_435_761) >> 12) }
+        };
         let mut all: Vec<Coded> = (0..20_000).map(|i| Coded { code: code(i), primitive: i }).collect();
         let mut expected = all.clone();
         expected.sort_by_key(|coded| (coded.code, coded.primitive));

@@ -50,7 +50,7 @@ pub(super) fn splat<I: Isa>(isa: I, [x, y, z]: [f32; 3]) -> [I::F32; 3] {
 /// Eight `f32`, one for each lane.
 ///
 /// Comparisons give a bit for each lane. What minimum and maximum of a NaN are is not said.
-pub(super) trait Lanes<I>: 
+pub(super) trait Lanes<I>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// The same number in all lanes.

@@ -217,15 +217,8 @@ pub(super) fn any<I: Isa, D: Decide>(
     ray: &Ray,
     within: Interval,
 ) -> bool {
-    let search = Search::<I, D> {
-        decide: PhantomData,
-        isa,
-        tree,
-        primitives,
-        ray,
-        within,
-        probe: TriangleProbe::new(ray),
-    };
+    let search =
+        Search::<I, D> { decide: PhantomData, isa, tree, primitives, ray, within, probe: TriangleProbe::new(ray) };
     search.run()
 }
 

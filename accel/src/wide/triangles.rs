@@ -66,15 +66,9 @@ impl<I: Isa> TriangleLanes<I> {
         Self {
             axes: probe.axes(),
             origin: splat(isa, origin.to_array()),
-            shear: [
-                I::F32::splat(isa, direction.x * per_depth),
-                I::F32::splat(isa, direction.y * per_depth),
-            ],
+            shear: [I::F32::splat(isa, direction.x * per_depth), I::F32::splat(isa, direction.y * per_depth)],
             per_depth: I::F32::splat(isa, per_depth),
-            bound: [
-                I::F32::splat(isa, 44.0 * reach),
-                I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW),
-            ],
+            bound: [I::F32::splat(isa, 44.0 * reach), I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW)],
             min: I::F32::splat(isa, min - depth_slack),
             depth_slack,
         }
