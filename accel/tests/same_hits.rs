@@ -1,7 +1,7 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
 use accel::{Accelerator, none, octree};
-use geometry::{Ellipsoid, Interval, Mesh, Primitives, Ray, Sphere, Transform};
+use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
@@ -99,6 +99,24 @@ proptest! {
     }
 
     #[test]
+    fn the_octree_finds_it_too_with_a_box_test_of_ones_own(
+        things in prop::collection::vec(thing(), 8..60),
+        rays in prop::collection::vec((ray(), interval()), 20),
+    ) {
+        let all = primitives(&things);
+        let kernels = Kernels {
+            aabb: Some(|bounds, ray, within| BoxProbe::new(ray, bounds.magnitude()).clip(*bounds, within)),
+            ..Kernels::default()
+        };
+        let (asked, octree) = (none(all.clone()), octree(all.with_kernels(kernels)));
+        for (ray, within) in rays {
+            let expected = asked.closest(&ray, within);
+            prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
+            prop_assert_eq!(octree.any(&ray, within), expected.is_some(), "{:?} {:?}", ray, within);
+        }
+    }
+
+    #[test]
     fn many_rays_at_once_find_what_each_finds_alone(
         things in prop::collection::vec(thing(), 0..20),
         rays in prop::collection::vec(ray(), 10),
@@ -109,6 +127,16 @@ proptest! {
         let alone: Vec<_> = rays.iter().map(|ray| octree.closest(ray, Interval::FORWARD)).collect();
         prop_assert_eq!(hits, alone);
     }
+}
+
+/// What a box test leaves out is not asked.
+#[test]
+fn the_octree_asks_the_box_test_that_it_is_given() {
+    let all = primitives(&vec![Thing::Sphere(Vec3::ZERO, 1.0); 20]);
+    let ray = Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z);
+    assert!(octree(all.clone()).closest(&ray, Interval::FORWARD).is_some());
+    let blind = Kernels { aabb: Some(|_, _, _| None), ..Kernels::default() };
+    assert_eq!(octree(all.with_kernels(blind)).closest(&ray, Interval::FORWARD), None);
 }
 
 /// Of two equal triangles the first is hit, wherever the tree has put them.

@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
+use geometry::{Kernels, naive};
 use render::{Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
@@ -37,6 +38,10 @@ pub(crate) struct RenderOptions {
     /// How to find what a ray meets first. The picture does not depend on it.
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// Render with the naive kernels of textbooks instead, to see what goes wrong: some, separated by commas, or all. The scene
+    /// `scales` is hard for them; `girasol accuracy` measures them.
+    #[arg(long, value_enum, value_name = "KERNEL,...", value_delimiter = ',')]
+    naive: Vec<NaiveKernel>,
     /// How surfaces and lights work. `report`: as the report of 2010 describes. `sunflow`: as Sunflow 0.07.3 computes it, to be held
     /// against its pictures; without lights all is black. [default: report]
     #[arg(long, value_enum)]
@@ -92,6 +97,47 @@ impl SamplerName {
     }
 }
 
+/// A kernel of [`geometry::naive`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum NaiveKernel {
+    /// The quadratic formula in single precision.
+    Sphere,
+    /// An inverse matrix in single precision.
+    Ellipsoid,
+    /// Möller and Trumbore's test with its epsilon, in single precision.
+    Triangle,
+    /// Rays nearly parallel to a plane miss it.
+    Plane,
+    /// The slab test without care for zeros and rounding.
+    Box,
+    /// Shadow rays and others start 0.0001 off the surface.
+    Offset,
+    /// All of these.
+    All,
+}
+
+impl NaiveKernel {
+    /// Puts it in its place.
+    fn put_into(self, modules: Modules) -> Modules {
+        let Modules { kernels, .. } = modules;
+        let naive = naive::kernels();
+        let kernels = match self {
+            Self::Sphere => Kernels { sphere: naive.sphere, ..kernels },
+            Self::Ellipsoid => Kernels { ellipsoid: naive.ellipsoid, ..kernels },
+            Self::Triangle => Kernels { triangle: naive.triangle, ..kernels },
+            Self::Plane => Kernels { plane: naive.plane, ..kernels },
+            Self::Box => Kernels { aabb: naive.aabb, ..kernels },
+            Self::Offset => kernels,
+            Self::All => naive,
+        };
+        let ray_origin = match self {
+            Self::Offset | Self::All => naive::offset_along_normal,
+            _ => modules.ray_origin,
+        };
+        Modules { kernels, ray_origin, ..modules }
+    }
+}
+
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum LightingName {
     Report,
@@ -128,7 +174,8 @@ impl RenderOptions {
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
         let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
-        Modules { accelerator, falloff, sampler, ..modules }
+        let modules = Modules { accelerator, falloff, sampler, ..modules };
+        self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules))
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.

@@ -19,6 +19,16 @@ impl Ellipsoid {
         Some(Self { to_world, to_unit: to_world.inverse()? })
     }
 
+    /// What places the unit sphere.
+    pub fn to_world(&self) -> &Transform {
+        &self.to_world
+    }
+
+    /// The way back.
+    pub fn to_unit(&self) -> &Transform {
+        &self.to_unit
+    }
+
     /// The ray as the unit sphere sees it. The translation is taken off first, before anything is scaled: far from the origin
     /// the products of a folded matrix would cancel.
     fn unit_roots(&self, ray: &Ray) -> Option<[f64; 2]> {

@@ -40,6 +40,16 @@ impl Plane {
         Some(Self { point, normal, gradients: [v.cross(cross) / length_squared, cross.cross(u) / length_squared] })
     }
 
+    /// A point of it.
+    pub fn point(&self) -> Vec3 {
+        self.point
+    }
+
+    /// Its normal, a unit vector to its front.
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
     /// The same plane, all of which shows the texture's place (0, 0).
     #[must_use]
     pub fn without_texture_coordinates(self) -> Self {

@@ -2,6 +2,10 @@ use glam::Vec3;
 
 use crate::{Ray, rounding::UNIT_ROUNDOFF};
 
+/// Where a ray that leaves a surface in a direction starts: on the side that it goes to, as near to the surface as the point is known.
+/// The direction has any length but zero. The reference is [`Surface::origin_towards`].
+pub type RayOrigin = fn(&Surface, Vec3) -> Vec3;
+
 /// The surface at a hit, as a shader needs it. Computed for the nearest hit alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
@@ -25,7 +29,18 @@ impl Surface {
         Self { position, error, geometric_normal, shading_normal: geometric_normal }
     }
 
-    /// A ray that leaves the surface in a direction: the one place where an origin is moved off a surface.
+    /// A ray that leaves the surface in a direction.
+    pub fn leave(&self, direction: Vec3) -> Ray {
+        Ray { origin: self.origin_towards(direction), direction }
+    }
+
+    /// A ray that leaves the surface and reaches `target` at `t = 1`.
+    pub fn leave_towards(&self, target: Vec3) -> Ray {
+        let origin = self.origin_towards(target - self.position);
+        Ray { origin, direction: target - origin }
+    }
+
+    /// The origin of a ray that leaves the surface in a direction: the one place where an origin is moved off a surface.
     ///
     /// The point is somewhere within its error box; the origin is moved along the normal until the whole box is on the side
     /// the ray goes to, and each coordinate is then rounded away from the surface. (Pharr, Jakob, Humphreys: Physically
@@ -37,17 +52,7 @@ impl Surface {
     ///   ----|----- p ---|--|---- surface: somewhere in the box around p
     ///       +--------------+
     /// ```
-    pub fn leave(&self, direction: Vec3) -> Ray {
-        Ray { origin: self.origin_towards(direction), direction }
-    }
-
-    /// A ray that leaves the surface and reaches `target` at `t = 1`.
-    pub fn leave_towards(&self, target: Vec3) -> Ray {
-        let origin = self.origin_towards(target - self.position);
-        Ray { origin, direction: target - origin }
-    }
-
-    fn origin_towards(&self, direction: Vec3) -> Vec3 {
+    pub fn origin_towards(&self, direction: Vec3) -> Vec3 {
         let normal = self.geometric_normal;
         let outward = if direction.dot(normal) < 0.0 { -normal } else { normal };
         let offset = outward * normal.abs().dot(self.error);

@@ -72,7 +72,7 @@ pub fn assemble(
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
         camera: None,
-        bounded: Primitives::default(),
+        bounded: Primitives::default().with_kernels(modules.kernels),
         planes: Vec::new(),
         shader_of_bounded: Vec::new(),
         shader_of_planes: Vec::new(),
@@ -220,6 +220,7 @@ impl<'a> Parts<'a> {
             secondary_background,
             raster,
             bounces: self.bounces,
+            ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
         };

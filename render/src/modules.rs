@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use accel::Accelerator;
-use geometry::Primitives;
+use geometry::{Kernels, Primitives, RayOrigin, Surface};
 use scene_format::{Files, Parsed, scene_file::BucketOrder};
 use shading::{
     Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
@@ -20,6 +20,10 @@ use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
 pub struct Modules {
     /// Reads a scene: its name for messages, its text, and what gives it its includes.
     pub parse: fn(&str, &str, &dyn Files) -> Parsed,
+    /// How rays meet each kind of primitive.
+    pub kernels: Kernels,
+    /// Where shadow rays and mirrored and refracted rays start.
+    pub ray_origin: RayOrigin,
     /// Builds what finds the nearest hit.
     pub accelerator: fn(Primitives) -> Box<dyn Accelerator>,
     /// Make the shaders.
@@ -82,6 +86,8 @@ impl Default for Modules {
     fn default() -> Self {
         Self {
             parse: scene_format::parse,
+            kernels: Kernels::default(),
+            ray_origin: Surface::origin_towards,
             accelerator: accel::octree,
             shaders: Shaders::default(),
             texture: |picture| Arc::new(picture),

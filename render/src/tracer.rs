@@ -61,6 +61,7 @@ impl RayTree<'_> {
             direction: ray.direction / length,
             distance: hit.t * length,
             surface: scene.surface(ray, &hit),
+            ray_origin: scene.ray_origin,
             uv: &|| scene.uv(ray, &hit),
             bounces,
         };

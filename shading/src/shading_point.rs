@@ -1,4 +1,4 @@
-use geometry::{Ray, Surface};
+use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
 use crate::{Bounces, Color, World, optics};
@@ -13,6 +13,8 @@ pub struct ShadingPoint<'a> {
     pub distance: f32,
     /// The surface as it is, whichever side is seen.
     pub surface: Surface,
+    /// Where rays that leave it start.
+    pub ray_origin: RayOrigin,
     /// The texture coordinates: computed when asked for.
     pub uv: &'a dyn Fn() -> Vec2,
     /// How often the ray may still bounce.
@@ -63,7 +65,7 @@ impl ShadingPoint<'_> {
             }
             let color = light.at_distance(distance);
             // No shadow ray for light that is too far to count.
-            if color == Color::BLACK || self.world.blocked(&self.surface.leave_towards(light.position)) {
+            if color == Color::BLACK || self.world.blocked(&self.ray_towards(light.position)) {
                 return None;
             }
             Some(Incident { direction, cosine, color })
@@ -84,7 +86,18 @@ impl ShadingPoint<'_> {
     /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
     pub fn refracted(&self, direction: Vec3) -> Color {
         let Some(bounces) = self.bounces.refracted() else { return Color::BLACK };
-        self.world.trace(&self.surface.leave(direction), bounces)
+        self.world.trace(&self.ray_along(direction), bounces)
+    }
+
+    /// A ray that leaves the surface in a direction.
+    pub fn ray_along(&self, direction: Vec3) -> Ray {
+        Ray::new((self.ray_origin)(&self.surface, direction), direction)
+    }
+
+    /// A ray that leaves the surface and reaches `target` at `t = 1`.
+    pub fn ray_towards(&self, target: Vec3) -> Ray {
+        let origin = (self.ray_origin)(&self.surface, target - self.surface.position);
+        Ray::new(origin, target - origin)
     }
 
     /// The mirrored ray, on the viewer's side: where the shading normal would send it through the surface, the geometric one
@@ -93,6 +106,6 @@ impl ShadingPoint<'_> {
         let geometric = self.surface.geometric_normal;
         let mirrored = optics::reflect(self.direction, self.surface.shading_normal);
         let stays = mirrored.dot(geometric) * self.direction.dot(geometric) < 0.0;
-        self.surface.leave(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
+        self.ray_along(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
     }
 }
