@@ -30,6 +30,8 @@ pub(crate) enum Command {
     Scenes(ScenesArguments),
     /// Render scenes with and without the accelerator and print a table of times.
     Bench(BenchArguments),
+    /// Measure speed against error of every kernel, naive ones beside ours, and write a page of figures.
+    Accuracy(AccuracyArguments),
     /// Print completions for a shell.
     ///
     /// For bash: girasol completions bash > ~/.local/share/bash-completion/completions/girasol
@@ -91,6 +93,25 @@ pub(crate) struct BenchArguments {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) options: RenderOptions,
+    /// Show no progress.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct AccuracyArguments {
+    /// The page to write: one HTML file, with all figures in it.
+    #[arg(short, long, value_name = "FILE", default_value = "accuracy.html")]
+    pub(crate) output: PathBuf,
+    /// The same numbers as JSON. [default: beside the page, with the ending .json]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// Choose other random cases. The same seed gives the same errors on every run; times vary.
+    #[arg(long, value_name = "N", default_value = "0")]
+    pub(crate) seed: u64,
+    /// A tenth of the cases, in a few seconds: for a first look.
+    #[arg(long)]
+    pub(crate) quick: bool,
     /// Show no progress.
     #[arg(short, long)]
     pub(crate) quiet: bool,
