@@ -1,4 +1,4 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{Ray, rounding::UNIT_ROUNDOFF};
 
