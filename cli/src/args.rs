@@ -34,8 +34,8 @@ pub(crate) enum Command {
     Accuracy(AccuracyArguments),
     /// Hold scenes, lit as by Sunflow, against Sunflow's own pictures of them, and print a table of differences.
     ///
-    /// A scene fails if less than 99.5 % of its pixels are within 2 of 255 in every channel (6 where there are textures), or if a pixel is
-    /// off by more than 2 that no edge beside it explains; one with a lens if its RMSE is above 0.01.
+    /// A scene misses its target if less than 99.5 % of its pixels are within 2 of 255 in every channel, or if another one is off and no
+    /// edge passes within 1/50 of a pixel of its ray; one with a lens if its RMSE is above 0.01.
     Parity(ParityArguments),
     /// Print completions for a shell.
     ///
