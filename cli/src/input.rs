@@ -71,14 +71,14 @@ impl SceneSource {
     }
 
     /// Reads the text.
-    pub(crate) fn parse(&self, modules: &Modules) -> Parsed {
-        (modules.parse)(&self.label, &self.text, &*self.files)
+    pub(crate) fn parse(&self, modules: &Modules) -> Parsed<'_> {
+        (modules.parse)(&self.label, &self.text, &*self.files, &modules.limits)
     }
 
     /// Puts the scene together, and shows what there is to say about it.
     pub(crate) fn assemble(
         &self,
-        parsed: &Parsed,
+        parsed: &Parsed<'_>,
         options: &RenderOptions,
         modules: Modules,
         show: Show,

@@ -62,7 +62,7 @@ pub(crate) fn warning(message: &str, help: &str) {
 }
 
 /// Shows what there is to say about a scene.
-pub(crate) fn diagnostics(diagnostics: &[Diagnostic], sources: &Sources, show: Show) {
+pub(crate) fn diagnostics(diagnostics: &[Diagnostic], sources: &Sources<'_>, show: Show) {
     let is_error = |diagnostic: &&Diagnostic| diagnostic.severity == Severity::Error;
     let warnings = diagnostics.iter().filter(|diagnostic| !is_error(diagnostic));
     let shown = match show {
@@ -101,7 +101,7 @@ fn renderer() -> Renderer {
     if std::io::stderr().is_terminal() && !colourless { Renderer::styled() } else { Renderer::plain() }
 }
 
-fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> String {
+fn rendered(diagnostic: &Diagnostic, sources: &Sources<'_>, renderer: &Renderer) -> String {
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -122,7 +122,7 @@ fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> 
 /// long line only a part.
 fn with_snippet<'a>(
     group: Group<'a>,
-    sources: &'a Sources,
+    sources: &'a Sources<'_>,
     span: Span,
     label: &'a str,
     kind: AnnotationKind,
