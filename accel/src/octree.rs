@@ -12,6 +12,7 @@
 //!           ray
 //! ```
 
+mod ask;
 mod build;
 mod overlap;
 mod traverse;

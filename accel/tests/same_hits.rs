@@ -1,7 +1,7 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
-use accel::{Accelerator, none, octree};
-use geometry::{Ellipsoid, Interval, Mesh, Primitives, Ray, Sphere, Transform};
+use accel::{Accelerator, none, octree, wide};
+use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
@@ -90,7 +90,27 @@ proptest! {
         rays in prop::collection::vec((ray(), interval()), 20),
     ) {
         let all = primitives(&things);
-        let (asked, octree) = (none(all.clone()), octree(all));
+        let asked = none(all.clone());
+        for build in [octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+        let octree = build(all.clone());
+        for &(ray, within) in &rays {
+            let expected = asked.closest(&ray, within);
+            prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
+            prop_assert_eq!(octree.any(&ray, within), expected.is_some(), "{:?} {:?}", ray, within);
+        }}
+    }
+
+    #[test]
+    fn the_octree_finds_it_too_with_a_box_test_of_ones_own(
+        things in prop::collection::vec(thing(), 8..60),
+        rays in prop::collection::vec((ray(), interval()), 20),
+    ) {
+        let all = primitives(&things);
+        let kernels = Kernels {
+            aabb: Some(|bounds, ray, within| BoxProbe::new(ray, bounds.magnitude()).clip(*bounds, within)),
+            ..Kernels::default()
+        };
+        let (asked, octree) = (none(all.clone()), octree(all.with_kernels(kernels)));
         for (ray, within) in rays {
             let expected = asked.closest(&ray, within);
             prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
@@ -111,6 +131,16 @@ proptest! {
     }
 }
 
+/// What a box test leaves out is not asked.
+#[test]
+fn the_octree_asks_the_box_test_that_it_is_given() {
+    let all = primitives(&vec![Thing::Sphere(Vec3::ZERO, 1.0); 20]);
+    let ray = Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z);
+    assert!(octree(all.clone()).closest(&ray, Interval::FORWARD).is_some());
+    let blind = Kernels { aabb: Some(|_, _, _| None), ..Kernels::default() };
+    assert_eq!(octree(all.with_kernels(blind)).closest(&ray, Interval::FORWARD), None);
+}
+
 /// Of two equal triangles the first is hit, wherever the tree has put them.
 #[test]
 fn the_lowest_primitive_wins_a_tie() {
@@ -119,7 +149,7 @@ fn the_lowest_primitive_wins_a_tie() {
     let mut things = vec![other.clone(), twin.clone(), twin];
     things.extend(std::iter::repeat_n(other, 40));
     let ray = Ray::new(Vec3::new(0.25, 0.25, 1.0), Vec3::NEG_Z);
-    for build in [none, octree] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+    for build in [none, octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 3] {
         assert_eq!(build(primitives(&things)).closest(&ray, Interval::FORWARD).map(|hit| hit.primitive), Some(1));
     }
 }
@@ -127,7 +157,7 @@ fn the_lowest_primitive_wins_a_tie() {
 #[test]
 fn nothing_and_not_a_number_are_no_hit() {
     let things = vec![Thing::Sphere(Vec3::ZERO, 1.0); 20];
-    for build in [none, octree] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+    for build in [none, octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 3] {
         assert_eq!(build(Primitives::default()).closest(&Ray::new(Vec3::ZERO, Vec3::X), Interval::FORWARD), None);
         for ray in [Ray::new(Vec3::NAN, Vec3::X), Ray::new(Vec3::ZERO, Vec3::NAN), Ray::new(Vec3::ZERO, Vec3::ZERO)] {
             assert_eq!(build(primitives(&things)).closest(&ray, Interval::FORWARD), None, "{ray:?}");

@@ -3,7 +3,8 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
-use render::{Buckets, Crop, Lighting, Modules, Settings};
+use geometry::{Kernels, naive};
+use render::{Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -24,6 +25,9 @@ pub(crate) struct RenderOptions {
     /// Rays at random places of each zone (1 to 65535), instead of the scene's own.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65535))]
     samples: Option<u32>,
+    /// Where samples fall. [default: random; with `--lighting sunflow` zones' middles]
+    #[arg(long, value_enum)]
+    sampler: Option<SamplerName>,
     /// How many threads to use. The picture does not depend on it. [default: all processors]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -34,6 +38,10 @@ pub(crate) struct RenderOptions {
     /// How to find what a ray meets first. The picture does not depend on it.
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// Render with the naive kernels of textbooks instead, to see what goes wrong: some, separated by commas, or all. The scene
+    /// `scales` is hard for them; `girasol accuracy` measures them.
+    #[arg(long, value_enum, value_name = "KERNEL,...", value_delimiter = ',')]
+    naive: Vec<NaiveKernel>,
     /// How surfaces and lights work. `report`: as the report of 2010 describes. `sunflow`: as Sunflow 0.07.3 computes it, to be held
     /// against its pictures; without lights all is black. [default: report]
     #[arg(long, value_enum)]
@@ -50,6 +58,10 @@ pub(crate) struct RenderOptions {
     #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
           value_parser = parse_soft_shadows)]
     soft_shadows: Option<SoftShadows>,
+    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: so many that a pixel's rays together ask
+    /// about all. [default: shared]
+    #[arg(long, value_name = "N", value_parser = parse_light_samples)]
+    light_samples: Option<LightSamples>,
     /// Render only this part of the picture: its left column, top row, width and height in pixels.
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_crop)]
     crop: Option<Crop>,
@@ -64,6 +76,66 @@ pub(crate) enum AcceleratorName {
     None,
     /// Cubes halved into eight, as in the report.
     Octree,
+}
+
+/// The samplers that can be named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SamplerName {
+    /// A random place in each zone of a pixel; independent random numbers for everything else. The report's.
+    Random,
+    /// Points that keep apart: Sobol's sequence, scrambled by Owen's method.
+    Sobol,
+}
+
+impl SamplerName {
+    /// The sampler of that name.
+    pub(crate) fn sampler(self) -> Sampler {
+        match self {
+            Self::Random => render::random,
+            Self::Sobol => render::sobol,
+        }
+    }
+}
+
+/// A kernel of [`geometry::naive`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum NaiveKernel {
+    /// The quadratic formula in single precision.
+    Sphere,
+    /// An inverse matrix in single precision.
+    Ellipsoid,
+    /// Möller and Trumbore's test with its epsilon, in single precision.
+    Triangle,
+    /// Rays nearly parallel to a plane miss it.
+    Plane,
+    /// The slab test without care for zeros and rounding.
+    Box,
+    /// Shadow rays and others start 0.0001 off the surface.
+    Offset,
+    /// All of these.
+    All,
+}
+
+impl NaiveKernel {
+    /// Puts it in its place.
+    fn put_into(self, modules: Modules) -> Modules {
+        let Modules { kernels, .. } = modules;
+        let naive = naive::kernels();
+        let kernels = match self {
+            Self::Sphere => Kernels { sphere: naive.sphere, ..kernels },
+            Self::Ellipsoid => Kernels { ellipsoid: naive.ellipsoid, ..kernels },
+            Self::Triangle => Kernels { triangle: naive.triangle, ..kernels },
+            Self::Plane => Kernels { plane: naive.plane, ..kernels },
+            Self::Box => Kernels { aabb: naive.aabb, ..kernels },
+            Self::Offset => kernels,
+            Self::All => naive,
+        };
+        let ray_origin = match self {
+            Self::Offset | Self::All => naive::offset_along_normal,
+            _ => modules.ray_origin,
+        };
+        Modules { kernels, ray_origin, ..modules }
+    }
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -85,6 +157,11 @@ struct BucketOption {
 }
 
 impl RenderOptions {
+    /// Those of a picture to be held against Sunflow's.
+    pub(crate) fn lit_as_by_sunflow() -> Self {
+        Self { lighting: Some(LightingName::Sunflow), ..Self::default() }
+    }
+
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
         let modules = match self.lighting {
@@ -101,7 +178,9 @@ impl RenderOptions {
             Some(FalloffName::Linear) => shading::linear_falloff,
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
-        Modules { accelerator, falloff, ..modules }
+        let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
+        let modules = Modules { accelerator, falloff, sampler, ..modules };
+        self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules))
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.
@@ -113,6 +192,10 @@ impl RenderOptions {
 
     /// The scene's own settings, with what the command line says instead.
     pub(crate) fn settings(&self, scene: &Settings) -> Result<Settings, Failure> {
+        if let (Some(LightingName::Sunflow), Some(_)) = (self.lighting, self.ambient) {
+            return Err(Failure::new("`--ambient` has no meaning with `--lighting sunflow`")
+                .help("in Sunflow nothing shows where no light reaches: leave one of the two out, or put a light into the scene"));
+        }
         let size = self.size.unwrap_or(scene.size);
         if let Some(crop) = self.crop {
             let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);
@@ -135,6 +218,7 @@ impl RenderOptions {
             crop: self.crop,
             aa: self.aa.unwrap_or(scene.aa),
             samples: self.samples.unwrap_or(scene.samples),
+            light_samples: self.light_samples.unwrap_or(scene.light_samples),
             seed: self.seed.unwrap_or(scene.seed),
             buckets,
             threads: self.threads.or(scene.threads),
@@ -194,6 +278,14 @@ fn parse_soft_shadows(text: &str) -> Result<SoftShadows, String> {
             Ok(SoftShadows { along_edge, spacing })
         }
         _ => Err("soft shadows are 1 to 8 lights along an edge, and their distance, as in 3,0.1".to_owned()),
+    }
+}
+
+fn parse_light_samples(text: &str) -> Result<LightSamples, String> {
+    match text {
+        "all" => Ok(LightSamples::All),
+        "shared" => Ok(LightSamples::Shared),
+        _ => text.parse().map(LightSamples::Each).map_err(|_| "`all`, `shared`, or a number from 1".to_owned()),
     }
 }
 

@@ -1,4 +1,4 @@
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::{
     Aabb, Intersection, Interval, Primitive, Ray, Surface, Transform,
@@ -19,12 +19,31 @@ impl Ellipsoid {
         Some(Self { to_world, to_unit: to_world.inverse()? })
     }
 
+    /// What places the unit sphere.
+    pub fn to_world(&self) -> &Transform {
+        &self.to_world
+    }
+
+    /// The way back.
+    pub fn to_unit(&self) -> &Transform {
+        &self.to_unit
+    }
+
     /// The ray as the unit sphere sees it. The translation is taken off first, before anything is scaled: far from the origin
     /// the products of a folded matrix would cancel.
     fn unit_roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let from_center = self.to_unit.linear * (ray.origin.as_dvec3() - self.to_world.translation);
         let power = from_center.dot(from_center) - 1.0;
         line_meets_sphere(from_center, self.to_unit.linear * ray.direction.as_dvec3(), 1.0, power)
+    }
+
+    /// How far a point near the surface is from it along a normal, to first order: the equation's value over its derivative. At
+    /// most a quarter of the way through the body.
+    fn distance(&self, point: Vec3, normal: DVec3) -> f64 {
+        let unit = self.to_unit.linear * (point.as_dvec3() - self.to_world.translation);
+        let across = self.to_unit.linear * normal;
+        let slope = unit.dot(across).abs();
+        ((unit.length_squared() - 1.0).abs() / (2.0 * slope)).min(0.5 * slope / across.length_squared())
     }
 
     /// The point of the unit sphere at an intersection.
@@ -51,8 +70,9 @@ impl Primitive for Ellipsoid {
     fn surface(&self, ray: &Ray, at: &Intersection) -> Surface {
         let unit = self.unit_point(ray, at);
         let position = self.to_world.point(unit).as_vec3();
-        let normal = (self.to_world.normals() * unit).normalize().as_vec3();
-        Surface::rounded(position, self.bounds().magnitude(), normal)
+        let normal = (self.to_world.normals() * unit).normalize();
+        let distance = self.distance(position, normal) as f32;
+        Surface::rounded(position, self.bounds().magnitude(), normal.as_vec3()).off_by(distance)
     }
 
     fn uv(&self, ray: &Ray, at: &Intersection) -> Vec2 {
@@ -63,7 +83,6 @@ impl Primitive for Ellipsoid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
 
     #[test]
     fn a_stretched_sphere_is_met_where_its_equation_says() {

@@ -40,6 +40,16 @@ impl Plane {
         Some(Self { point, normal, gradients: [v.cross(cross) / length_squared, cross.cross(u) / length_squared] })
     }
 
+    /// A point of it.
+    pub fn point(&self) -> Vec3 {
+        self.point
+    }
+
+    /// Its normal, a unit vector to its front.
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
     /// The same plane, all of which shows the texture's place (0, 0).
     #[must_use]
     pub fn without_texture_coordinates(self) -> Self {
@@ -84,7 +94,9 @@ impl Primitive for Plane {
     }
 
     fn uv(&self, ray: &Ray, _at: &Intersection) -> Vec2 {
-        let offset = ray.at(self.t(ray)) - self.point.as_dvec3();
+        // The difference of what is given is exact, or nearly so; that of the hit point would lose what is small beside it.
+        let to_origin = ray.origin.as_dvec3() - self.point.as_dvec3();
+        let offset = to_origin + ray.direction.as_dvec3() * self.t(ray);
         Vec2::new(repeat(self.gradients[0].dot(offset)), repeat(self.gradients[1].dot(offset)))
     }
 }

@@ -3,7 +3,8 @@ use std::sync::Arc;
 use glam::{DVec3, Vec2, Vec3};
 
 use crate::{
-    Aabb, Ellipsoid, Hit, Intersection, Interval, Primitive, Ray, Sphere, Surface, Triangle, triangle::interpolate,
+    Aabb, Ellipsoid, Hit, Intersection, Interval, Kernels, Primitive, Ray, Sphere, Surface, Triangle,
+    triangle::interpolate,
 };
 
 /// Triangles that share points.
@@ -51,6 +52,7 @@ impl<T: Copy> Corners<T> {
 pub struct Primitives {
     shapes: Arc<Shapes>,
     numbered: Vec<Number>,
+    kernels: Kernels,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -99,6 +101,17 @@ enum Number {
 }
 
 impl Primitives {
+    /// The same primitives, met by other kernels.
+    #[must_use]
+    pub fn with_kernels(self, kernels: Kernels) -> Self {
+        Self { kernels, ..self }
+    }
+
+    /// What rays meet them with.
+    pub fn kernels(&self) -> &Kernels {
+        &self.kernels
+    }
+
     /// How many there are.
     pub fn len(&self) -> u32 {
         self.numbered.len() as u32
@@ -147,7 +160,7 @@ impl Primitives {
     #[must_use]
     pub fn subset(&self, keep: impl Fn(u32) -> bool) -> Self {
         let numbered = (0..).zip(&self.numbered).filter(|&(number, _)| keep(number)).map(|(_, &shape)| shape).collect();
-        Self { shapes: Arc::clone(&self.shapes), numbered }
+        Self { shapes: Arc::clone(&self.shapes), numbered, kernels: self.kernels }
     }
 
     /// A box around one.
@@ -166,10 +179,11 @@ impl Primitives {
     /// The nearest hit of one, strictly within the interval.
     #[inline]
     pub fn intersect(&self, number: u32, ray: &Ray, within: Interval) -> Option<Hit> {
+        let Self { shapes, kernels, .. } = self;
         let met = match self.numbered[number as usize] {
-            Number::Triangle(index) => self.shapes.triangles[index as usize].intersect(ray, within),
-            Number::Sphere(index) => self.shapes.spheres[index as usize].intersect(ray, within),
-            Number::Ellipsoid(index) => self.shapes.ellipsoids[index as usize].intersect(ray, within),
+            Number::Triangle(index) => kernels.meet_triangle(&shapes.triangles[index as usize], ray, within),
+            Number::Sphere(index) => kernels.meet_sphere(&shapes.spheres[index as usize], ray, within),
+            Number::Ellipsoid(index) => kernels.meet_ellipsoid(&shapes.ellipsoids[index as usize], ray, within),
         };
         met.map(|met| met.on(number))
     }

@@ -73,14 +73,14 @@ pub fn assemble(
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
         camera: None,
-        bounded: Primitives::default(),
+        bounded: Primitives::default().with_kernels(modules.kernels),
         planes: Vec::new(),
         shader_of_bounded: Vec::new(),
         shader_of_planes: Vec::new(),
         lights: Vec::new(),
         background: Color::BLACK,
         // Sunflow's default depths.
-        bounces: Bounces { reflections: 4, refractions: 4 },
+        bounces: Bounces::of_camera_ray(4, 4),
     };
     parts.read(file);
     parts.finish(lighting, Settings::of(file))
@@ -169,8 +169,7 @@ impl<'a> Parts<'a> {
                     .help("a few are enough: 4 are the default"),
             );
         }
-        self.bounces =
-            Bounces { reflections: reflections.min(MOST_BOUNCES), refractions: refractions.min(MOST_BOUNCES) };
+        self.bounces = Bounces::of_camera_ray(reflections.min(MOST_BOUNCES), refractions.min(MOST_BOUNCES));
     }
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {
@@ -198,10 +197,15 @@ impl<'a> Parts<'a> {
 
         let ShaderTable { made: shaders, .. } = &self.shaders;
         let shading = self.shaders.needs();
-        let lights = match lighting.soft_shadows {
-            None => self.lights,
-            Some(soft) => self.lights.into_iter().flat_map(|light| (self.modules.soft_shadows)(light, soft)).collect(),
-        };
+        let (mut lights, mut clusters) = (Vec::new(), Vec::new());
+        for light in self.lights {
+            let start = lights.len();
+            match lighting.soft_shadows {
+                None => lights.push(light),
+                Some(soft) => lights.extend((self.modules.soft_shadows)(light, soft)),
+            }
+            clusters.push(start..lights.len());
+        }
         let casts_shadow = |number: u32| shaders[self.shader_of_bounded[number as usize] as usize].casts_shadow();
         let all_cast_shadows = (0..self.bounded.len()).all(casts_shadow);
         let blockers: Option<Box<dyn Accelerator>> = (!lights.is_empty() && !all_cast_shadows)
@@ -219,11 +223,13 @@ impl<'a> Parts<'a> {
             shaders: self.shaders.made,
             shader_of: [self.shader_of_bounded, self.shader_of_planes].concat(),
             lights,
+            clusters,
             ambient: lighting.ambient,
             background: self.background,
             secondary_background,
             raster,
             bounces: self.bounces,
+            ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
         };

@@ -1,11 +1,11 @@
 use geometry::Ray;
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, DVec3};
 
 /// Turns a place in the picture into a ray.
 pub trait Camera: Send + Sync {
     /// The ray through a place of the picture: x from 0 at the left edge to 1 at the right, y from 0 at the bottom to 1 at the
-    /// top. `lens` gives two random numbers in 0..1, for cameras that ask.
-    fn ray(&self, film: DVec2, lens: &dyn Fn() -> Vec2) -> Ray;
+    /// top. `lens` gives a random point of the unit square, for cameras that ask.
+    fn ray(&self, film: DVec2, lens: &dyn Fn() -> DVec2) -> Ray;
 
     /// Whether rays start at different places of a lens.
     fn has_lens(&self) -> bool {
@@ -67,7 +67,7 @@ pub struct Pinhole {
 }
 
 impl Camera for Pinhole {
-    fn ray(&self, film: DVec2, _lens: &dyn Fn() -> Vec2) -> Ray {
+    fn ray(&self, film: DVec2, _lens: &dyn Fn() -> DVec2) -> Ray {
         Ray::new(self.frame.eye.as_vec3(), self.frame.towards(film).normalize().as_vec3())
     }
 }
@@ -97,8 +97,8 @@ pub struct ThinLens {
 }
 
 impl Camera for ThinLens {
-    fn ray(&self, film: DVec2, lens: &dyn Fn() -> Vec2) -> Ray {
-        let on_lens = self.radius * self.place_on_lens(lens().as_dvec2());
+    fn ray(&self, film: DVec2, lens: &dyn Fn() -> DVec2) -> Ray {
+        let on_lens = self.radius * self.place_on_lens(lens());
         let offset = self.frame.right * on_lens.x + self.frame.up * on_lens.y;
         let direction = self.frame.towards(film) - offset / self.focus_distance;
         Ray::new((self.frame.eye + offset).as_vec3(), direction.normalize().as_vec3())
@@ -153,7 +153,7 @@ mod tests {
         Frame::look_at(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y).unwrap().seeing(90.0, 2.0)
     }
 
-    fn direction(camera: &dyn Camera, x: f64, y: f64, lens: Vec2) -> (Vec3, Vec3) {
+    fn direction(camera: &dyn Camera, x: f64, y: f64, lens: DVec2) -> (Vec3, Vec3) {
         let ray = camera.ray(DVec2::new(x, y), &|| lens);
         (ray.origin, ray.direction)
     }
@@ -161,30 +161,30 @@ mod tests {
     #[test]
     fn the_picture_spans_the_angle_of_view_with_x_to_the_right_and_y_upwards() {
         let camera = Pinhole { frame: frame() };
-        assert_eq!(direction(&camera, 0.5, 0.5, Vec2::ZERO), (Vec3::new(0.0, 0.0, 5.0), Vec3::NEG_Z));
+        assert_eq!(direction(&camera, 0.5, 0.5, DVec2::ZERO), (Vec3::new(0.0, 0.0, 5.0), Vec3::NEG_Z));
         // 90 degrees across: 45 to each side. Aspect 2: half as much upwards, tan = 0.5.
-        let right = direction(&camera, 1.0, 0.5, Vec2::ZERO).1;
+        let right = direction(&camera, 1.0, 0.5, DVec2::ZERO).1;
         assert!((right.x + right.z).abs() < 1e-7 && right.x > 0.0, "{right}");
-        let top = direction(&camera, 0.5, 1.0, Vec2::ZERO).1;
+        let top = direction(&camera, 0.5, 1.0, DVec2::ZERO).1;
         assert!((top.y / -top.z - 0.5).abs() < 1e-7 && top.y > 0.0, "{top}");
     }
 
     #[test]
     fn shift_moves_the_image_plane() {
         let camera = Pinhole { frame: Frame { shift: DVec2::new(1.0, 0.0), ..frame() } };
-        let middle = direction(&camera, 0.5, 0.5, Vec2::ZERO).1;
+        let middle = direction(&camera, 0.5, 0.5, DVec2::ZERO).1;
         assert!((middle.x / -middle.z - 1.0).abs() < 1e-7);
     }
 
     #[test]
     fn all_rays_through_a_lens_meet_in_the_plane_of_focus() {
         let lens = ThinLens { frame: frame(), focus_distance: 4.0, radius: 0.5, sides: 0, rotation_degrees: 0.0 };
-        let focus = |random: Vec2| {
+        let focus = |random: DVec2| {
             let (origin, direction) = direction(&lens, 0.8, 0.3, random);
             origin + direction * ((1.0 - origin.z) / direction.z)
         };
-        let middle = focus(Vec2::splat(0.5));
-        for random in [Vec2::ZERO, Vec2::new(0.9, 0.1), Vec2::new(0.2, 0.7)] {
+        let middle = focus(DVec2::splat(0.5));
+        for random in [DVec2::ZERO, DVec2::new(0.9, 0.1), DVec2::new(0.2, 0.7)] {
             assert!((focus(random) - middle).length() < 1e-5);
         }
     }

@@ -1,14 +1,14 @@
 use std::sync::Arc;
 
 use accel::Accelerator;
-use geometry::Primitives;
+use geometry::{Kernels, Primitives, RayOrigin, Surface};
 use scene_format::{Files, Limits, Parsed, scene_file::BucketOrder};
 use shading::{
     Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
     sunflow,
 };
 
-use crate::{Dialect, Sampler, Tile, bucket_order, centred, jitter};
+use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -22,6 +22,10 @@ pub struct Modules {
     pub parse: for<'s> fn(&str, &'s str, &dyn Files, &Limits) -> Parsed<'s>,
     /// How much a scene may ask for.
     pub limits: Limits,
+    /// How rays meet each kind of primitive.
+    pub kernels: Kernels,
+    /// Where shadow rays and mirrored and refracted rays start.
+    pub ray_origin: RayOrigin,
     /// Builds what finds the nearest hit.
     pub accelerator: fn(Primitives) -> Box<dyn Accelerator>,
     /// Make the shaders.
@@ -47,6 +51,7 @@ impl Modules {
         Self {
             shaders: Shaders::sunflow(),
             texture: |picture| Arc::new(sunflow::SmoothTexture { picture }),
+            ray_origin: sunflow::ray_origin,
             falloff: sunflow::inverse_square_falloff,
             sampler: centred,
             dialect: Dialect::Sunflow,
@@ -85,12 +90,14 @@ impl Default for Modules {
         Self {
             parse: scene_format::parse_within,
             limits: Limits::default(),
+            kernels: Kernels::default(),
+            ray_origin: Surface::origin_towards,
             accelerator: accel::octree,
             shaders: Shaders::default(),
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
-            sampler: jitter,
+            sampler: random,
             bucket_order,
             dialect: Dialect::default(),
         }

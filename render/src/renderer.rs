@@ -4,11 +4,10 @@ use std::sync::{
     atomic::{AtomicUsize, Ordering},
 };
 
-use glam::{DVec2, Vec2};
 use rayon::ThreadPoolBuilder;
 use shading::Color;
 
-use crate::{Crop, Film, Sample, Scene, Settings, Tile, buckets::bucket_pixels, tracer::Tracer};
+use crate::{Crop, Film, Purpose, Sample, Scene, Settings, Tile, buckets::bucket_pixels, tracer::Tracer};
 
 /// What is told of each bucket when it is done.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +40,8 @@ pub fn render(
     let work = || {
         while let Some(&tile) = tiles.get(next.fetch_add(1, Ordering::Relaxed)) {
             let area = bucket_pixels(window, settings.buckets.size, tile);
-            let tracer = Tracer::new(scene);
-            let pixels = render_area(scene, settings, area, &tracer);
+            let tracer = Tracer::new(scene, settings);
+            let pixels = render_area(settings, area, &tracer);
             let (film, finished) = &mut *progress.lock().unwrap_or_else(PoisonError::into_inner);
             film.rays += tracer.rays();
             film.place(&pixels, area, window);
@@ -75,10 +74,10 @@ fn ordered_tiles(scene: &Scene, settings: &Settings, window: Crop) -> Vec<Tile> 
     tiles
 }
 
-fn render_area(scene: &Scene, settings: &Settings, area: Crop, tracer: &Tracer<'_>) -> Vec<Color> {
+fn render_area(settings: &Settings, area: Crop, tracer: &Tracer<'_>) -> Vec<Color> {
     let rows = area.y..area.y + area.height;
     rows.flat_map(|y| (area.x..area.x + area.width).map(move |x| [x, y]))
-        .map(|pixel| pixel_color(scene, settings, pixel, tracer))
+        .map(|pixel| pixel_color(settings, pixel, tracer))
         .collect()
 }
 
@@ -91,25 +90,11 @@ fn render_area(scene: &Scene, settings: &Settings, area: Crop, tracer: &Tracer<'
 ///   |.  |  .|
 ///   +---+---+
 /// ```
-fn pixel_color(scene: &Scene, settings: &Settings, pixel: [u32; 2], tracer: &Tracer<'_>) -> Color {
-    let zones = 1 << settings.aa;
+fn pixel_color(settings: &Settings, pixel: [u32; 2], tracer: &Tracer<'_>) -> Color {
     let count = settings.rays_per_pixel();
-    let corner = DVec2::new(f64::from(pixel[0]), f64::from(pixel[1]));
-    let total: Color = (0..count)
-        .map(|index| {
-            let random = |dimension| (scene.sampler)(Sample { seed: settings.seed, pixel, index, dimension });
-            let in_pixel = if count == 1 {
-                DVec2::splat(0.5)
-            } else {
-                let zone = index / settings.samples;
-                let in_zone = DVec2::new(f64::from(random(0)), f64::from(random(1)));
-                (DVec2::new(f64::from(zone % zones), f64::from(zone / zones)) + in_zone) / f64::from(zones)
-            };
-            let place = scene.raster.film(corner + in_pixel, settings.size);
-            let ray = scene.camera.ray(place, &|| Vec2::new(random(2), random(3)));
-            tracer.camera_ray(&ray)
-        })
-        .sum();
+    let sample =
+        |index| Sample { seed: settings.seed, pixel, zones: 1 << settings.aa, count, index, purpose: Purpose::Pixel };
+    let total: Color = (0..count).map(|index| tracer.camera_ray(sample(index))).sum();
     total / count as f32
 }
 

@@ -1,5 +1,7 @@
+use std::ops::Range;
+
 use accel::Accelerator;
-use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, Surface};
+use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, RayOrigin, Surface};
 use glam::Vec2;
 use shading::{Bounces, Color, PointLight, Shader};
 
@@ -20,6 +22,8 @@ pub struct Scene {
     /// Each primitive's shader, planes included.
     pub(crate) shader_of: Vec<u32>,
     pub(crate) lights: Vec<PointLight>,
+    /// The lights that have taken the place of each of the file's.
+    pub(crate) clusters: Vec<Range<usize>>,
     pub(crate) ambient: f32,
     /// What camera rays see where they hit nothing.
     pub(crate) background: Color,
@@ -28,6 +32,7 @@ pub struct Scene {
     /// Where pixels lie in what the camera sees.
     pub(crate) raster: Raster,
     pub(crate) bounces: Bounces,
+    pub(crate) ray_origin: RayOrigin,
     pub(crate) sampler: Sampler,
     pub(crate) bucket_order: fn(scene_format::scene_file::BucketOrder, u32, u32) -> Vec<Tile>,
 }
@@ -43,7 +48,7 @@ impl Scene {
         let mut nearest = self.accelerator.closest(ray, Interval::FORWARD);
         for (number, plane) in self.numbered_planes() {
             let within = Interval::FORWARD.up_to(nearest.map_or(f32::INFINITY, |hit| hit.t));
-            nearest = plane.intersect(ray, within).map(|met| met.on(number)).or(nearest);
+            nearest = self.bounded.kernels().meet_plane(plane, ray, within).map(|met| met.on(number)).or(nearest);
         }
         nearest
     }
@@ -52,7 +57,8 @@ impl Scene {
     pub fn blocked(&self, segment: &Ray) -> bool {
         let blockers = self.blockers.as_deref().unwrap_or(&*self.accelerator);
         let by_plane = |(number, plane): (u32, &Plane)| {
-            self.shader(number).casts_shadow() && plane.intersect(segment, Interval::SEGMENT).is_some()
+            let meets = || self.bounded.kernels().meet_plane(plane, segment, Interval::SEGMENT).is_some();
+            self.shader(number).casts_shadow() && meets()
         };
         self.numbered_planes().any(by_plane) || blockers.any(segment, Interval::SEGMENT)
     }

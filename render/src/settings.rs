@@ -5,6 +5,8 @@ use scene_format::{
     scene_file::{BucketOrder, Image, Statement},
 };
 
+use crate::LightSamples;
+
 /// How a scene is to be rendered. The scene's own settings come from [`Settings::of`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
@@ -16,6 +18,8 @@ pub struct Settings {
     pub aa: u32,
     /// Rays in each zone, 1 to 65535: so the rays of a pixel can be counted in 32 bits.
     pub samples: u32,
+    /// How many lights of a cluster are asked at a point.
+    pub light_samples: LightSamples,
     /// Another seed is another picture of the same scene.
     pub seed: u32,
     /// The unit of work. No influence on the picture.
@@ -56,7 +60,16 @@ impl Default for Buckets {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { size: [640, 480], crop: None, aa: 0, samples: 1, seed: 0, buckets: Buckets::default(), threads: None }
+        Self {
+            size: [640, 480],
+            crop: None,
+            aa: 0,
+            samples: 1,
+            light_samples: LightSamples::default(),
+            seed: 0,
+            buckets: Buckets::default(),
+            threads: None,
+        }
     }
 }
 

@@ -1,19 +1,23 @@
 use std::cell::Cell;
 
 use geometry::Ray;
+use glam::DVec2;
 use shading::{Bounces, Color, PointLight, ShadingPoint, World};
 
-use crate::{RayCounts, Scene};
+use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings};
 
 /// Follows rays through a scene and counts them. Each bucket has its own, so that counting costs threads nothing.
 pub(crate) struct Tracer<'a> {
     scene: &'a Scene,
+    settings: &'a Settings,
+    lights: LightPlan<'a>,
     rays: Cell<RayCounts>,
 }
 
 impl<'a> Tracer<'a> {
-    pub(crate) fn new(scene: &'a Scene) -> Self {
-        Self { scene, rays: Cell::default() }
+    pub(crate) fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
+        let lights = LightPlan::new(scene, settings.light_samples, settings.rays_per_pixel());
+        Self { scene, settings, lights, rays: Cell::default() }
     }
 
     /// The rays traced so far.
@@ -21,24 +25,17 @@ impl<'a> Tracer<'a> {
         self.rays.get()
     }
 
-    /// The light that comes into the camera along a ray.
-    pub(crate) fn camera_ray(&self, ray: &Ray) -> Color {
+    /// The light that comes into the camera along one of a pixel's rays.
+    pub(crate) fn camera_ray(&self, sample: Sample) -> Color {
         self.count(|rays| rays.camera += 1);
-        self.follow(ray, self.scene.bounces, self.scene.background)
-    }
-
-    fn follow(&self, ray: &Ray, bounces: Bounces, background: Color) -> Color {
-        let Some(hit) = self.scene.closest(ray) else { return background };
-        let length = ray.direction.length();
-        let at = ShadingPoint {
-            world: self,
-            direction: ray.direction / length,
-            distance: hit.t * length,
-            surface: self.scene.surface(ray, &hit),
-            uv: &|| self.scene.uv(ray, &hit),
-            bounces,
-        };
-        self.scene.shader(hit.primitive).radiance(&at)
+        let random = |purpose| (self.scene.sampler)(Sample { purpose, ..sample });
+        // A single ray has nothing to be averaged with.
+        let in_pixel = if sample.count == 1 { DVec2::splat(0.5) } else { random(Purpose::Pixel) };
+        let corner = DVec2::new(f64::from(sample.pixel[0]), f64::from(sample.pixel[1]));
+        let place = self.scene.raster.film(corner + in_pixel, self.settings.size);
+        let ray = self.scene.camera.ray(place, &|| random(Purpose::Lens));
+        let tree = RayTree { tracer: self, sample };
+        tree.follow(&ray, self.scene.bounces, self.scene.background)
     }
 
     fn count(&self, add: impl FnOnce(&mut RayCounts)) {
@@ -48,22 +45,46 @@ impl<'a> Tracer<'a> {
     }
 }
 
-impl World for Tracer<'_> {
-    fn lights(&self) -> &[PointLight] {
-        &self.scene.lights
+/// All that is seen by one camera ray: the rays that come of it.
+struct RayTree<'a> {
+    tracer: &'a Tracer<'a>,
+    sample: Sample,
+}
+
+impl RayTree<'_> {
+    fn follow(&self, ray: &Ray, bounces: Bounces, background: Color) -> Color {
+        let scene = self.tracer.scene;
+        let Some(hit) = scene.closest(ray) else { return background };
+        let length = ray.direction.length();
+        let at = ShadingPoint {
+            world: self,
+            direction: ray.direction / length,
+            distance: hit.t * length,
+            surface: scene.surface(ray, &hit),
+            ray_origin: scene.ray_origin,
+            uv: &|| scene.uv(ray, &hit),
+            bounces,
+        };
+        scene.shader(hit.primitive).radiance(&at)
+    }
+}
+
+impl World for RayTree<'_> {
+    fn light(&self, number: u32, path: u32) -> Option<PointLight> {
+        self.tracer.lights.light(number, path, self.tracer.scene.sampler, self.sample)
     }
 
     fn ambient(&self) -> f32 {
-        self.scene.ambient
+        self.tracer.scene.ambient
     }
 
     fn blocked(&self, segment: &Ray) -> bool {
-        self.count(|rays| rays.shadow += 1);
-        self.scene.blocked(segment)
+        self.tracer.count(|rays| rays.shadow += 1);
+        self.tracer.scene.blocked(segment)
     }
 
     fn trace(&self, ray: &Ray, bounces: Bounces) -> Color {
-        self.count(|rays| rays.secondary += 1);
-        self.follow(ray, bounces, self.scene.secondary_background)
+        self.tracer.count(|rays| rays.secondary += 1);
+        self.follow(ray, bounces, self.tracer.scene.secondary_background)
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! [`parse`] turns text into a [`SceneFile`], plain data with a place in the source for all that a message may have to
 //! point at, and a list of [`Diagnostic`]s. It goes on after an error, so that one run shows all of them. [`print()`] turns a
-//! `SceneFile` back into text. Nothing here touches a disk: includes come through the caller's [`Files`], and [`decode`]
+//! `SceneFile` back into text; [`format()`] lays a text out anew, comments and all. Every message has a [`Code`] that says what kind
+//! of problem it is; how much a scene may ask for, the caller's [`Limits`] say. Nothing here touches a disk: includes come through the caller's [`Files`], and [`decode`]
 //! makes text of a file's bytes.
 //!
 //! Conventions: all numbers are 32-bit floats as in Sunflow, and finite; angles are in degrees, lengths in the scene's own
@@ -12,6 +13,7 @@ mod code;
 mod decode;
 mod diagnostic;
 mod files;
+mod format;
 mod grammar;
 mod lexer;
 mod limits;
@@ -26,6 +28,7 @@ pub use code::Code;
 pub use decode::{NotText, decode};
 pub use diagnostic::{Diagnostic, Severity};
 pub use files::{FileError, Files, NoFiles};
+pub use format::format;
 pub use limits::Limits;
 pub use parser::{parse, parse_within};
 pub use print::print;

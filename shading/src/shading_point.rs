@@ -1,4 +1,4 @@
-use geometry::{Ray, Surface};
+use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
 use crate::{Bounces, Color, World, optics};
@@ -13,6 +13,8 @@ pub struct ShadingPoint<'a> {
     pub distance: f32,
     /// The surface as it is, whichever side is seen.
     pub surface: Surface,
+    /// Where rays that leave it start.
+    pub ray_origin: RayOrigin,
     /// The texture coordinates: computed when asked for.
     pub uv: &'a dyn Fn() -> Vec2,
     /// How often the ray may still bounce.
@@ -51,7 +53,8 @@ impl ShadingPoint<'_> {
     pub fn lit(&self) -> impl Iterator<Item = Incident> {
         let normal = self.normal();
         let outward = if self.is_inside() { -self.surface.geometric_normal } else { self.surface.geometric_normal };
-        self.world.lights().iter().filter_map(move |light| {
+        let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
+        lights.filter_map(move |light| {
             let to_light = light.position - self.surface.position;
             let distance = to_light.length();
             let direction = to_light / distance;
@@ -62,7 +65,7 @@ impl ShadingPoint<'_> {
             }
             let color = light.at_distance(distance);
             // No shadow ray for light that is too far to count.
-            if color == Color::BLACK || self.world.blocked(&self.surface.leave_towards(light.position)) {
+            if color == Color::BLACK || self.world.blocked(&self.ray_towards(light.position)) {
                 return None;
             }
             Some(Incident { direction, cosine, color })
@@ -71,7 +74,7 @@ impl ShadingPoint<'_> {
 
     /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.
     pub fn ambient(&self) -> Option<f32> {
-        self.world.lights().is_empty().then(|| self.world.ambient())
+        self.world.light(0, self.bounces.path).is_none().then(|| self.world.ambient())
     }
 
     /// The light that a mirror here shows; black when the ray has been reflected often enough.
@@ -83,7 +86,18 @@ impl ShadingPoint<'_> {
     /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
     pub fn refracted(&self, direction: Vec3) -> Color {
         let Some(bounces) = self.bounces.refracted() else { return Color::BLACK };
-        self.world.trace(&self.surface.leave(direction), bounces)
+        self.world.trace(&self.ray_along(direction), bounces)
+    }
+
+    /// A ray that leaves the surface in a direction.
+    pub fn ray_along(&self, direction: Vec3) -> Ray {
+        Ray::new((self.ray_origin)(&self.surface, direction.as_dvec3()), direction)
+    }
+
+    /// A ray that leaves the surface and reaches `target` at `t = 1`.
+    pub fn ray_towards(&self, target: Vec3) -> Ray {
+        let origin = (self.ray_origin)(&self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
+        Ray::new(origin, target - origin)
     }
 
     /// The mirrored ray, on the viewer's side: where the shading normal would send it through the surface, the geometric one
@@ -92,6 +106,6 @@ impl ShadingPoint<'_> {
         let geometric = self.surface.geometric_normal;
         let mirrored = optics::reflect(self.direction, self.surface.shading_normal);
         let stays = mirrored.dot(geometric) * self.direction.dot(geometric) < 0.0;
-        self.surface.leave(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
+        self.ray_along(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
     }
 }

@@ -4,8 +4,9 @@ use crate::{Bounces, Color, PointLight};
 
 /// What a shader may ask of the scene around a point.
 pub trait World {
-    /// The lights; none means that the ambient light alone shows something.
-    fn lights(&self) -> &[PointLight];
+    /// The lights to ask at a point, one by one from number 0, to which a ray came by a path ([`Bounces::path`]); `None` after the last.
+    /// Not even a first one means that the ambient light alone shows something.
+    fn light(&self, number: u32, path: u32) -> Option<PointLight>;
 
     /// The share of a surface's colour that is seen in a scene without lights.
     fn ambient(&self) -> f32;

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use glam::{DVec2, Vec2};
+use glam::DVec2;
 use render::{Assembled, Film, Lighting, Modules, Scene};
 use scene_format::Severity;
 use shading::Falloff;
@@ -86,7 +86,7 @@ impl Silhouette {
         let covered = (0..height)
             .rev()
             .flat_map(|y| (0..width).map(move |x| DVec2::new(centre(x, width), centre(y, height))))
-            .map(|place| scene.closest(&scene.camera().ray(place, &|| Vec2::splat(0.5))).is_some())
+            .map(|place| scene.closest(&scene.camera().ray(place, &|| DVec2::splat(0.5))).is_some())
             .collect();
         Self { width: width.into(), height: height.into(), covered }
     }

@@ -16,6 +16,10 @@ impl Octree {
             visit(&self.references);
             return;
         }
+        if let Some(clip) = self.primitives.kernels().aabb {
+            self.traverse_asking(clip, ray, within, visit);
+            return;
+        }
         let probe = BoxProbe::new(ray, self.bounds.magnitude());
         if let Some(way) = probe.clip(self.bounds, within) {
             let mut walk = Walk { octree: self, octant: probe.octant(), probe, limit: within.max, visit };

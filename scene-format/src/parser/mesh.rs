@@ -222,9 +222,7 @@ impl<'s> Parser<'s> {
         while let Some(rest) = numbers.get_mut(filled..).filter(|rest| !rest.is_empty()) {
             if !self.marks_rows() {
                 filled += self.cursor.take_numbers(rest);
-            } else if filled % width == 0
-                && let Some(token) = self.cursor.peek()
-            {
+            } else if let Some(token) = self.cursor.peek().filter(|_| begins_row(from * width + filled, width)) {
                 self.mark(token, Mark::Row);
             }
             if let Some(number) = numbers.get_mut(filled) {
@@ -296,6 +294,13 @@ impl<'s> Parser<'s> {
             .help("correct the count, or remove what is too much");
         self.fail(error)
     }
+}
+
+/// Whether a list's number stands at the beginning of a line when the list is laid out.
+fn begins_row(at: usize, width: usize) -> bool {
+    /// Of single numbers, so many stand in a line; the first ones in that of their count.
+    const IN_A_LINE: usize = 10;
+    if width == 1 { at > 0 && at.is_multiple_of(IN_A_LINE) } else { at.is_multiple_of(width) }
 }
 
 /// The `at`th number of a list, counted from 0, past the `t`s between them.

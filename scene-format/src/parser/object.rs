@@ -1,6 +1,5 @@
 use super::Parser;
 use super::block::Field;
-use super::layout::Mark;
 use super::report::Read;
 use super::shape::{self, ShapeFields};
 use crate::code::Code;
@@ -114,7 +113,6 @@ impl<'s> Parser<'s> {
         let mut names = Vec::new();
         for _ in 0..count {
             let name = self.word(field)?;
-            self.mark(name, Mark::Row);
             names.push(super::block::kept(name));
         }
         Ok(names)

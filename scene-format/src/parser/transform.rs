@@ -83,7 +83,7 @@ impl<'s> Parser<'s> {
                 break;
             }
             self.cursor.next();
-            self.mark(word, Mark::Row);
+            self.mark(word, Mark::Field);
             match self.step(word) {
                 Ok(step) => {
                     let place = word.span.to(self.cursor.previous());

@@ -32,7 +32,7 @@ impl<'s> Parser<'s> {
     /// Program text is not made of the format's words: a `%` in it is no comment. Each line is kept as one word.
     fn keep(&mut self, word: Token<'s>, words: &mut Words) {
         words.push(kept(word));
-        let code = (word.text == "<code>").then(|| self.cursor.lines_until("</code>")).flatten();
+        let code = (word.text == "<code>").then(|| self.code_lines()).flatten();
         if let Some(lines) = code {
             words.extend(lines.into_iter().map(kept));
             words.push(Spanned::new("</code>".to_owned(), self.cursor.previous()));

@@ -108,7 +108,7 @@ impl<'s> Parser<'s> {
 
     /// The lines after `<code>`, the word last taken, up to `</code>`.
     fn code(&mut self, field: Token<'s>) -> Read<Vec<String>> {
-        match self.cursor.lines_until("</code>") {
+        match self.code_lines() {
             Some(lines) => Ok(lines.into_iter().map(|line| line.text.to_owned()).collect()),
             None => {
                 let message = format!("`{}` needs a line `</code>` after it", field.text);

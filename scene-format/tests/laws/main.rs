@@ -2,6 +2,7 @@
 
 mod diagnostics;
 mod includes;
+mod layout;
 mod round_trip;
 mod strategies;
 mod tolerance;

@@ -1,0 +1,34 @@
+use glam::DVec2;
+
+use super::{Purpose, Sample, hash};
+
+/// The report's stochastic sampling: a random place in each zone of the pixel, independent random numbers for everything else.
+pub fn random(sample: Sample) -> DVec2 {
+    match sample.purpose {
+        Purpose::Pixel => in_zone(sample, independent(sample)),
+        Purpose::Lens | Purpose::Light { .. } => independent(sample),
+    }
+}
+
+/// Each zone's middle, however many rays it has; all else as [`random`] does it. Sunflow's, without its jitter.
+pub fn centred(sample: Sample) -> DVec2 {
+    match sample.purpose {
+        Purpose::Pixel => in_zone(sample, DVec2::splat(0.5)),
+        Purpose::Lens | Purpose::Light { .. } => independent(sample),
+    }
+}
+
+/// A place in the pixel from a place in a zone. The rays go round the zones, row by row from the top left.
+fn in_zone(sample: Sample, place: DVec2) -> DVec2 {
+    let corner =
+        DVec2::new(f64::from(sample.index % sample.zones), f64::from(sample.index / sample.zones % sample.zones));
+    (corner + place) / f64::from(sample.zones)
+}
+
+fn independent(sample: Sample) -> DVec2 {
+    let Sample { seed, pixel: [x, y], index, .. } = sample;
+    let dimension = sample.purpose.number().wrapping_mul(2);
+    // 24 bits: numbers that an f32 holds, too.
+    let number = |dimension| f64::from(hash([seed, x, y, index, dimension]) >> 8) * (1.0 / f64::from(1 << 24));
+    DVec2::new(number(dimension), number(dimension.wrapping_add(1)))
+}
