@@ -17,4 +17,4 @@ mod wide;
 pub use accelerator::{Accelerator, Statistics};
 pub use none::none;
 pub use octree::octree;
-pub use wide::wide;
+pub use wide::{Hits, Instructions, wide, wide_watertight, wide_with};

@@ -4,6 +4,7 @@
 
 pub(crate) mod chart;
 pub(crate) mod figure;
+mod images;
 mod machine;
 mod page;
 mod pictures;
@@ -30,17 +31,19 @@ pub(crate) struct Effort {
     pub(crate) picture: [u32; 2],
     /// Their anti-aliasing.
     pub(crate) picture_aa: u32,
+    /// The width of the pictures of figure 4.
+    pub(crate) image_width: u32,
 }
 
 impl Effort {
     /// For a page that is shown.
     pub(crate) fn full(seed: u64) -> Self {
-        Self { seed, cases: 20_000, rounds: 40, picture: [1050, 315], picture_aa: 1 }
+        Self { seed, cases: 20_000, rounds: 40, picture: [1050, 315], picture_aa: 1, image_width: 48 }
     }
 
     /// For a first look.
     pub(crate) fn quick(seed: u64) -> Self {
-        Self { seed, cases: 2_000, rounds: 5, picture: [200, 60], picture_aa: 0 }
+        Self { seed, cases: 2_000, rounds: 5, picture: [200, 60], picture_aa: 0, image_width: 16 }
     }
 }
 
@@ -54,9 +57,8 @@ pub(crate) struct Report {
 
 /// Measures everything. Kernels of `modules` that are not ours appear beside ours.
 pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> Result<Report, Failure> {
-    let steps = Steps::start(pictures::STEPS, progress);
-    let _ = modules;
-    let figures = [pictures::figure(effort, &steps)?];
+    let steps = Steps::start(images::steps(modules) + pictures::STEPS, progress);
+    let figures = [images::figure(modules, effort, &steps)?, pictures::figure(effort, &steps)?];
     steps.finish();
     Ok(assembled(effort, &figures))
 }

@@ -8,7 +8,7 @@ use shading::{
     sunflow,
 };
 
-use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
+use crate::{Dialect, Sampler, Tile, bucket_order, centred, sobol};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -94,7 +94,7 @@ impl Default for Modules {
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
-            sampler: random,
+            sampler: sobol,
             bucket_order,
             dialect: Dialect::default(),
         }

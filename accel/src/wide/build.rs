@@ -14,7 +14,7 @@ use super::{
 
 /// Primitives that reach further than this stand beside the tree, and are asked by every ray. Below, no product of three coordinates
 /// overflows, and the bounds argued for hold.
-const FARTHEST: f32 = (1_u64 << 40) as f32;
+const FARTHEST: f32 = (1_u64 << 36) as f32;
 
 struct Shapes<'a>(&'a Primitives);
 
