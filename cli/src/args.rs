@@ -58,6 +58,10 @@ pub(crate) struct RenderArguments {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) options: RenderOptions,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
