@@ -106,6 +106,10 @@ pub(crate) struct RenderArguments {
     /// Render nothing if there is a warning.
     #[arg(long)]
     pub(crate) strict: bool,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,

@@ -251,3 +251,13 @@ fn a_long_rendering_tells_its_share_and_the_time_left_in_plain_lines() {
         "{stderr}"
     );
 }
+
+#[test]
+fn ambient_light_where_sunflow_has_none_is_an_error_that_says_so() {
+    let ended = folder().run(&["render", "tiny.sc", "--lighting", "sunflow", "--ambient", "0.2"]);
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.stderr.contains("`--ambient` has no meaning with `--lighting sunflow`"), "{}", ended.stderr);
+    assert!(ended.stderr.contains("leave one of the two out"), "{}", ended.stderr);
+    succeed(&folder(), &["render", "tiny.sc", "--lighting", "sunflow", "-q"]);
+    succeed(&folder(), &["render", "tiny.sc", "--ambient", "0.2", "-q"]);
+}
