@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 use std::sync::{
     Mutex, PoisonError,
-    atomic::{AtomicUsize, Ordering},
+    atomic::{AtomicBool, AtomicUsize, Ordering},
 };
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -55,6 +55,7 @@ impl<'a> Passes<'a> {
         let empty =
             Pass { pixels: vec![T::default(); area.width as usize * area.height as usize], rays: RayCounts::default() };
         let progress = Mutex::new((empty, 0));
+        let broken_off = AtomicBool::new(false);
 
         // Each thread takes the next bucket in the order until none is left.
         let work = || {
@@ -76,6 +77,7 @@ impl<'a> Passes<'a> {
                 let told =
                     FinishedBucket { area: bucket, pixels: &colors, finished: finished_before + *finished, total };
                 if (self.on_bucket)(&told).is_break() {
+                    broken_off.store(true, Ordering::Relaxed);
                     next.store(tiles, Ordering::Relaxed);
                 }
             }
@@ -85,8 +87,8 @@ impl<'a> Passes<'a> {
             None => work(),
         }
         self.done += 1;
-        let (pass, finished) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (finished == tiles).then_some(pass)
+        let (pass, _) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (!broken_off.into_inner()).then_some(pass)
     }
 }
 
