@@ -1,8 +1,10 @@
 //! One file for each command.
 
+pub(crate) mod accuracy;
 pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod inspect;
+pub(crate) mod parity;
 pub(crate) mod render;
 pub(crate) mod scenes;

@@ -70,6 +70,23 @@ impl SceneSource {
         })
     }
 
+    /// The scenes of a folder, at least one, by name.
+    pub(crate) fn folder(path: &Path) -> Result<Vec<Self>, Failure> {
+        let failed = |error| Failure::of(format!("the folder `{}` cannot be read", path.display()), error);
+        let mut paths = Vec::new();
+        for entry in fs::read_dir(path).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            if path.extension().is_some_and(|ending| ending == "sc") {
+                paths.push(path);
+            }
+        }
+        if paths.is_empty() {
+            return Err(Failure::new(format!("there is no .sc file in the folder `{}`", path.display())));
+        }
+        paths.sort();
+        paths.iter().map(|path| Self::file(path)).collect()
+    }
+
     /// Reads the text.
     pub(crate) fn parse(&self, modules: &Modules) -> Parsed {
         (modules.parse)(&self.label, &self.text, &*self.files)
@@ -143,7 +160,7 @@ impl Files for DiskFiles {
 }
 
 /// Reads a regular file of a size that fits in memory: no folder, no endless device.
-fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     let failed = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => FileError::NotFound,
         _ => FileError::Unreadable(error.to_string()),

@@ -9,10 +9,13 @@
 //! This is the only crate that touches files, clocks and the terminal. Messages go to stderr; what was asked for goes to stdout
 //! or into a file. Exit codes: 0 all went well, 1 something failed, 2 the command line is wrong, 130 interrupted.
 
+mod accuracy;
 mod args;
 mod commands;
+mod comparison;
 mod input;
 mod interrupt;
+pub mod metrics;
 mod options;
 mod output;
 mod progress;
@@ -35,6 +38,8 @@ pub fn run(modules: Modules) -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),
+        Command::Accuracy(arguments) => commands::accuracy::run(&arguments, modules),
+        Command::Parity(arguments) => commands::parity::run(&arguments, modules),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };
     match result {

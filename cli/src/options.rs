@@ -199,6 +199,10 @@ impl RenderOptions {
 
     /// The scene's own settings, with what the command line says instead.
     pub(crate) fn settings(&self, scene: &Settings) -> Result<Settings, Failure> {
+        if let (Some(LightingName::Sunflow), Some(_)) = (self.lighting, self.ambient) {
+            return Err(Failure::new("`--ambient` has no meaning with `--lighting sunflow`")
+                .help("in Sunflow nothing shows where no light reaches: leave one of the two out, or put a light into the scene"));
+        }
         let size = self.size.unwrap_or(scene.size);
         if let Some(crop) = self.crop {
             let fits = |start: u32, length: u32, edge: u32| start.checked_add(length).is_some_and(|end| end <= edge);

@@ -10,6 +10,7 @@ mod implicit;
 mod mesh;
 mod noise;
 mod rabbit;
+mod scales;
 mod textures;
 mod water_tower;
 
@@ -132,6 +133,11 @@ const SCENES: &[EmbeddedScene] = &[
     scene("globe", "a planet on a slanted axis, with a highlight: phong, figure 11", texts!["globe.sc"]),
     scene("glass-mirror", "glass and mirror spheres in a corner of three planes: figure 12", texts!["glass-mirror.sc"]),
     scene("depth-of-field", "a thin lens with six sides: cameras, section 2.1", texts!["depth-of-field.sc"]),
+    scene(
+        "scales",
+        "a still life at four sizes, 1 to a billion: hard for naive kernels",
+        Source::Computed(scales::scene),
+    ),
     scene("marbles", "marbles of glass, metal and paint on a wooden tray: all at once", texts!["marbles.sc"]),
 ];
 

@@ -14,6 +14,8 @@ mod adaptive;
 mod assemble;
 mod buckets;
 mod camera;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod dialect;
 mod film;
 mod inventory;

@@ -49,6 +49,7 @@ impl Modules {
         Self {
             shaders: Shaders::sunflow(),
             texture: |picture| Arc::new(sunflow::SmoothTexture { picture }),
+            ray_origin: sunflow::ray_origin,
             falloff: sunflow::inverse_square_falloff,
             sampler: centred,
             dialect: Dialect::Sunflow,

@@ -120,15 +120,21 @@ impl<'a> Parts<'a> {
                 }
             })
         })?;
-        let (plane, shader) = match (self.modules.dialect, orientation) {
-            (Dialect::Sunflow, PlaneOrientation::Normal(normal)) => {
-                let number = match shaders.first() {
-                    Some(name) => self.shaders.used_brighter(name, Vec3::from(normal).length()),
+        let (plane, shader) = match self.modules.dialect {
+            Dialect::Report => (plane, self.first_shader(shaders)),
+            Dialect::Sunflow => {
+                let shader = match shaders.first() {
+                    Some(name) => {
+                        self.shaders.used_with_normals(name, sunflow_normal_length(point, orientation, to_world))
+                    }
                     None => self.shaders.default_shader(),
                 };
-                (plane.without_texture_coordinates(), number)
+                let plane = match orientation {
+                    PlaneOrientation::Normal(_) => plane.without_texture_coordinates(),
+                    PlaneOrientation::Points(_) => plane,
+                };
+                (plane, shader)
             }
-            _ => (plane, self.first_shader(shaders)),
         };
         self.planes.push(plane);
         self.shader_of_planes.push(shader);
@@ -195,6 +201,20 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// The length of a plane's normal as Sunflow has it in the world: as it is written, or 1 where three points are given, and then multiplied by
+/// the inverse transpose.
+fn sunflow_normal_length(point: Triple, orientation: PlaneOrientation, to_world: &Transform) -> f32 {
+    let local = match orientation {
+        PlaneOrientation::Normal(normal) => dvec3(normal),
+        PlaneOrientation::Points([second, third]) => {
+            let [u, v] = [second, third].map(|other| dvec3(other) - dvec3(point));
+            u.cross(v).normalize()
+        }
+    };
+    let placed = to_world.inverse().map_or(local, |to_local| to_local.linear.transpose() * local);
+    placed.length() as f32
+}
+
 /// Why a shape is not in the scene.
 enum NotPlaced {
     TooFar,
@@ -237,8 +257,11 @@ fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
     for position in &mut mesh.positions {
         *position = to_world.point_f32(*position);
     }
+    // Their lengths among each other stay as they are: a longer one counts for more where they are interpolated.
     let matrix = to_world.normals();
-    let turned = |normal: Vec3| (matrix * normal.as_dvec3()).normalize_or_zero().as_vec3();
+    let longest = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
+    let matrix = matrix * longest.into_iter().fold(0.0, f64::max).recip();
+    let turned = |normal: Vec3| (matrix * normal.as_dvec3()).as_vec3();
     match &mut mesh.normals {
         Corners::None => {}
         Corners::Everywhere(normal) => *normal = turned(*normal),

@@ -6,13 +6,10 @@ use scene_format::{
     Diagnostic, FileError, Files, SearchPath, Spanned,
     scene_file::{self, Paint, ShaderKind},
 };
-use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow::BrighterTexture};
+use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow};
 
 use super::color::linear;
 use crate::{Dialect, Modules};
-
-/// What a surface gets whose own shader is not there: light grey.
-const DEFAULT_COLOR: Color = Color::grey(0.6);
 
 /// The largest texture that is read, in pixels along an edge and in bytes of memory.
 const LARGEST_TEXTURE_EDGE: u32 = 16_384;
@@ -104,17 +101,14 @@ impl<'a> ShaderTable<'a> {
         number
     }
 
-    /// The number of a shader like the one with a name, for a surface on which light counts for more: its length multiplies the
-    /// cosines between a plane's normal and the lights, as in Sunflow. Shaders that ask for no light are as they are.
-    pub(super) fn used_brighter(&mut self, name: &Spanned<String>, by: f32) -> u32 {
+    /// The number of a shader like the one with a name, for a surface whose normals have a length.
+    pub(super) fn used_with_normals(&mut self, name: &Spanned<String>, length: f32) -> u32 {
         // The plain one, too: so it is known to be in use.
         let plain = self.used(name);
-        let declared = self.declared.get(name.value.as_str()).map(|declared| &declared.shader.kind);
-        match declared.and_then(matt_parts) {
-            Some((paint, specular, exponent)) if by != 1.0 => {
-                let texture = self.paint(paint);
-                let diffuse = Arc::new(BrighterTexture { texture, by });
-                self.add((self.modules.shaders.phong)(diffuse, specular * by, exponent))
+        match self.declared.get(name.value.as_str()).map(|declared| &declared.shader.kind) {
+            Some(kind) if length != 1.0 => {
+                let shader = self.make(kind);
+                self.add(Box::new(sunflow::LongNormal { shader, length }))
             }
             _ => plain,
         }
@@ -125,9 +119,17 @@ impl<'a> ShaderTable<'a> {
         if let Some(number) = self.default {
             return number;
         }
-        let number = self.add((self.modules.shaders.constant)(DEFAULT_COLOR));
+        let number = self.add((self.modules.shaders.constant)(self.default_color()));
         self.default = Some(number);
         number
+    }
+
+    /// What a surface gets whose own shader is not there: light grey, so that it is seen; black in Sunflow.
+    fn default_color(&self) -> Color {
+        match self.modules.dialect {
+            Dialect::Report => Color::grey(0.6),
+            Dialect::Sunflow => Color::BLACK,
+        }
     }
 
     /// What the shaders that were used need.
@@ -151,6 +153,9 @@ impl<'a> ShaderTable<'a> {
     }
 
     fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
+        if let (Dialect::Sunflow, ShaderKind::Shiny { diffuse, reflection }) = (self.modules.dialect, kind) {
+            return Box::new(sunflow::Shiny { diffuse: self.paint(diffuse), reflection: *reflection });
+        }
         if let Some((paint, specular, exponent)) = matt_parts(kind) {
             return (self.modules.shaders.phong)(self.paint(paint), specular, exponent);
         }
@@ -160,7 +165,7 @@ impl<'a> ShaderTable<'a> {
             ShaderKind::Glass { eta, color, absorption } => {
                 (self.modules.shaders.glass)(*eta, linear(color), absorbing(absorption))
             }
-            _ => (self.modules.shaders.constant)(DEFAULT_COLOR),
+            _ => (self.modules.shaders.constant)(self.default_color()),
         }
     }
 
@@ -171,7 +176,7 @@ impl<'a> ShaderTable<'a> {
                 Ok(texture) => texture,
                 Err(diagnostic) => {
                     self.diagnostics.push(diagnostic);
-                    Arc::new(DEFAULT_COLOR)
+                    Arc::new(self.default_color())
                 }
             },
         }

@@ -1,0 +1,30 @@
+use render::Modules;
+
+use crate::accuracy::{Effort, report};
+use crate::args::AccuracyArguments;
+use crate::interrupt::Interrupt;
+use crate::output::{check_place, write_file};
+use crate::progress::Progress;
+use crate::report::{self, Failure};
+
+pub(crate) fn run(arguments: &AccuracyArguments, modules: Modules) -> Result<(), Failure> {
+    let interrupt = Interrupt::listen()?;
+    let json = arguments.json.clone().unwrap_or_else(|| arguments.output.with_extension("json"));
+    if json == arguments.output {
+        return Err(Failure::new(format!("`{}` cannot be both the page and the JSON", json.display()))
+            .help("choose two names with -o and --json"));
+    }
+    check_place(&arguments.output)?;
+    check_place(&json)?;
+    let effort = if arguments.quick { Effort::quick(arguments.seed) } else { Effort::full(arguments.seed) };
+    let report = report(&modules, &effort, Progress::counting("measurements", "accuracy", arguments.quiet))?;
+    let numbers = format!("{:#}\n", report.json);
+    interrupt.undivided(|| {
+        write_file(&arguments.output, report.html.as_bytes())?;
+        write_file(&json, numbers.as_bytes())
+    })?;
+    if !arguments.quiet {
+        report::line(format!("{}: the page; {}: the same numbers", arguments.output.display(), json.display()));
+    }
+    Ok(())
+}
