@@ -27,6 +27,7 @@ use serde_json::{Map, Value, json};
 
 use crate::progress::Progress;
 use crate::report::Failure;
+use crate::scenes::EmbeddedScene;
 use figure::Figure;
 use steps::Steps;
 
@@ -67,17 +68,22 @@ pub(crate) struct Report {
     pub(crate) json: Value,
 }
 
-/// Measures everything. Kernels of `modules` that are not ours appear beside ours.
-pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> Result<Report, Failure> {
+/// Measures everything, image errors with the given scenes. Kernels and the sampler of `modules` that are not ours appear beside ours.
+pub(crate) fn report(
+    modules: &Modules,
+    effort: &Effort,
+    scenes: &[&'static EmbeddedScene],
+    progress: Progress,
+) -> Result<Report, Failure> {
     let steps = Steps::start(
-        speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(modules) + pictures::STEPS,
+        speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(modules, scenes) + pictures::STEPS,
         progress,
     );
     let figures = [
         speed::figure(modules, &instructions::Counts::default(), effort, &steps)?,
         sweeps::figure(modules, effort, &steps)?,
         new_rays::figure(modules, effort, &steps)?,
-        images::figure(modules, effort, &steps)?,
+        images::figure(modules, scenes, effort, &steps)?,
         pictures::figure(effort, &steps)?,
     ];
     steps.finish();
