@@ -7,7 +7,7 @@ pub(crate) mod chart;
 mod exact;
 mod families;
 pub(crate) mod figure;
-mod instructions;
+pub(crate) mod instructions;
 mod kernels;
 mod machine;
 mod measure;
@@ -27,6 +27,7 @@ use serde_json::{Map, Value, json};
 use crate::progress::Progress;
 use crate::report::Failure;
 use figure::Figure;
+use instructions::Counts;
 use steps::Steps;
 
 /// How much is measured.
@@ -38,6 +39,8 @@ pub(crate) struct Effort {
     pub(crate) cases: usize,
     /// How often each kernel is timed on each family; the least time counts.
     pub(crate) rounds: usize,
+    /// Whether Valgrind counts instructions.
+    pub(crate) count_instructions: bool,
     /// The size of the pictures of figure 5.
     pub(crate) picture: [u32; 2],
     /// Their anti-aliasing.
@@ -47,12 +50,12 @@ pub(crate) struct Effort {
 impl Effort {
     /// For a page that is shown.
     pub(crate) fn full(seed: u64) -> Self {
-        Self { seed, cases: 20_000, rounds: 40, picture: [1050, 315], picture_aa: 1 }
+        Self { seed, cases: 20_000, rounds: 40, count_instructions: true, picture: [1050, 315], picture_aa: 1 }
     }
 
     /// For a first look.
     pub(crate) fn quick(seed: u64) -> Self {
-        Self { seed, cases: 2_000, rounds: 5, picture: [200, 60], picture_aa: 0 }
+        Self { seed, cases: 2_000, rounds: 5, count_instructions: false, picture: [200, 60], picture_aa: 0 }
     }
 }
 
@@ -66,9 +69,16 @@ pub(crate) struct Report {
 
 /// Measures everything. Kernels of `modules` that are not ours appear beside ours.
 pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> Result<Report, Failure> {
-    let steps = Steps::start(speed::steps() + sweeps::steps() + new_rays::STEPS + pictures::STEPS, progress);
+    let counted = if effort.count_instructions { instructions::steps(&modules.kernels) } else { 0 };
+    let total = counted + speed::steps() + sweeps::steps() + new_rays::STEPS + pictures::STEPS;
+    let steps = Steps::start(total, progress);
+    let counts = if effort.count_instructions {
+        Counts::of_all(&modules.kernels, effort.seed, &|| steps.advance())
+    } else {
+        Counts::none("a quick run leaves them out")
+    };
     let figures = [
-        speed::figure(modules, &instructions::Counts::default(), effort, &steps)?,
+        speed::figure(modules, &counts, effort, &steps)?,
         sweeps::figure(modules, effort, &steps)?,
         new_rays::figure(modules, effort, &steps)?,
         pictures::figure(effort, &steps)?,
