@@ -111,3 +111,95 @@ fn settings(effort: &Effort) -> Vec<(String, String)> {
     .map(|(name, fact)| (name.to_owned(), fact))
     .into()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry::{Intersection, Interval, Kernels, Primitive, Ray, Surface, Triangle};
+
+    const SMALL: Effort =
+        Effort { seed: 5, cases: 300, rounds: 1, count_instructions: false, picture: [40, 12], picture_aa: 0 };
+
+    fn made(modules: &Modules) -> Report {
+        report(modules, &SMALL, Progress::Silent).unwrap()
+    }
+
+    /// Everything but the times.
+    fn errors(report: &Report) -> Value {
+        let mut figures = report.json["figures"].clone();
+        for kernel in figures["speed"].as_array_mut().unwrap() {
+            kernel["ns"] = Value::Null;
+            for family in kernel["families"].as_array_mut().unwrap() {
+                family["ns"] = Value::Null;
+            }
+        }
+        figures
+    }
+
+    #[test]
+    fn two_runs_find_the_same_errors_and_the_page_needs_nothing_else() {
+        let (one, other) = (made(&Modules::default()), made(&Modules::default()));
+        assert!(errors(&one) == errors(&other), "the errors differ from run to run");
+        assert!(one.json["figures"].as_object().unwrap().len() >= 4);
+        for wanted in ["<script", "http:", "https:", "src=\"/", "@import", "url("] {
+            let html = one.html.replace("http://www.w3.org/2000/svg", "");
+            assert!(!html.contains(wanted), "{wanted}");
+        }
+        // Links lead to places of the page itself.
+        for link in one.html.split("href=\"").skip(1) {
+            let id = link.split('"').next().unwrap();
+            assert!(one.html.contains(&format!("id=\"{}\"", id.trim_start_matches('#'))), "{id}");
+        }
+        let text = one.json.to_string();
+        assert!(serde_json::from_str::<Value>(&text).unwrap()["figures"]["speed"].is_array());
+        assert!(!text.contains("yours"));
+    }
+
+    /// A student's triangle that is found a thousandth too far, and new rays that start where the surface is.
+    #[test]
+    fn somebodys_own_kernels_stand_beside_ours_with_their_errors() {
+        fn too_far(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Intersection> {
+            triangle.intersect(ray, within).map(|met| Intersection { t: met.t * 1.001, ..met })
+        }
+        let modules = Modules {
+            kernels: Kernels { triangle: Some(too_far), ..Kernels::default() },
+            ray_origin: |surface: &Surface, _| surface.position,
+            ..Modules::default()
+        };
+        let report = made(&modules);
+        let figures = &report.json["figures"];
+        let kernels = figures["speed"].as_array().unwrap();
+        let yours: Vec<_> = kernels.iter().filter(|kernel| kernel["whose"] == "yours").collect();
+        assert_eq!(yours.len(), 1);
+        assert_eq!(yours[0]["primitive"], "triangle");
+        // A thousandth is 2^23 / 1000 to 2^24 / 1000 units in the last place.
+        let median = yours[0]["errors"]["ulp"]["p50"].as_f64().unwrap();
+        assert!((8388.0..16778.0).contains(&median), "{median}");
+        assert!(figures["sweeps"].to_string().contains("yours"));
+        let ways = figures["new-rays"].as_array().unwrap();
+        let acne: Vec<f64> = ways
+            .iter()
+            .filter(|way| way["way"] == "yours" && way["body"] == "sphere")
+            .flat_map(|way| way["acne"].as_array().unwrap())
+            .map(|share| share.as_f64().unwrap())
+            .collect();
+        assert!(!acne.is_empty() && acne.iter().all(|&share| share > 0.1), "{acne:?}");
+        assert!(report.html.contains("yours"));
+    }
+
+    #[test]
+    fn new_rays_of_girasol_neither_meet_what_they_leave_nor_jump_over_what_is_near() {
+        let report = made(&Modules::default());
+        let ways = report.json["figures"]["new-rays"].as_array().unwrap().clone();
+        let worst = |whose: &str, what: &str| -> f64 {
+            let shares = ways.iter().filter(|way| way["way"].as_str().unwrap().contains(whose));
+            shares
+                .flat_map(|way| way[what].as_array().unwrap())
+                .map(|share| share.as_f64().unwrap())
+                .fold(0.0, f64::max)
+        };
+        assert_eq!((worst("girasol", "acne"), worst("girasol", "leaks")), (0.0, 0.0));
+        assert!(worst("along the normal", "acne") > 0.4 && worst("along the normal", "leaks") > 0.9);
+        assert!(worst("t from", "acne") > 0.4 && worst("t from", "leaks") > 0.9);
+    }
+}

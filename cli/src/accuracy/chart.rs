@@ -181,7 +181,7 @@ impl ValueFormatter<f64> for Decades {
 
 /// 0.01, 0.1, 1, 10, 100; beyond them with an exponent.
 fn power_of_ten(power: i32) -> String {
-    if (-2..=3).contains(&power) {
+    if (-3..=3).contains(&power) {
         return 10_f64.powi(power).to_string();
     }
     let digits = power.to_string();

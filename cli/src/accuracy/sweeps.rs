@@ -39,7 +39,7 @@ pub(crate) fn figure(modules: &Modules, effort: &Effort, steps: &Steps) -> Resul
         caption: "One property grows, all else is everyday. Left the error that 99.9 % of the hits keep below, right the share of clear cases \
                   in which hit and miss are confused; 0 is the lower edge. Girasol's kernels stay at half an ulp and at 0 throughout. \
                   The naive sphere loses all its digits by D/r = 4000, where (D/r)² exceeds what f32 can tell apart; the naive triangle's \
-                  error grows with its aspect, and below a size of 0.001 its epsilon takes all; the naive plane does not know the horizon. \
+                  error grows with its aspect, and below a size of 0.003 its epsilon takes all; the naive plane does not know the horizon. \
                   The place in the scene harms the naive ellipsoid alone, whose matrix adds up two large translations; the others \
                   subtract before they multiply."
             .to_owned(),
