@@ -12,7 +12,9 @@
 mod accelerator;
 mod none;
 mod octree;
+mod wide;
 
 pub use accelerator::{Accelerator, Statistics};
 pub use none::none;
 pub use octree::octree;
+pub use wide::{Hits, Instructions, wide, wide_watertight, wide_with};

@@ -1,6 +1,6 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
-use accel::{Accelerator, none, octree};
+use accel::{Accelerator, none, octree, wide};
 use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -90,12 +90,14 @@ proptest! {
         rays in prop::collection::vec((ray(), interval()), 20),
     ) {
         let all = primitives(&things);
-        let (asked, octree) = (none(all.clone()), octree(all));
-        for (ray, within) in rays {
+        let asked = none(all.clone());
+        for build in [octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+        let octree = build(all.clone());
+        for &(ray, within) in &rays {
             let expected = asked.closest(&ray, within);
             prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
             prop_assert_eq!(octree.any(&ray, within), expected.is_some(), "{:?} {:?}", ray, within);
-        }
+        }}
     }
 
     #[test]
@@ -147,7 +149,7 @@ fn the_lowest_primitive_wins_a_tie() {
     let mut things = vec![other.clone(), twin.clone(), twin];
     things.extend(std::iter::repeat_n(other, 40));
     let ray = Ray::new(Vec3::new(0.25, 0.25, 1.0), Vec3::NEG_Z);
-    for build in [none, octree] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+    for build in [none, octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 3] {
         assert_eq!(build(primitives(&things)).closest(&ray, Interval::FORWARD).map(|hit| hit.primitive), Some(1));
     }
 }
@@ -155,7 +157,7 @@ fn the_lowest_primitive_wins_a_tie() {
 #[test]
 fn nothing_and_not_a_number_are_no_hit() {
     let things = vec![Thing::Sphere(Vec3::ZERO, 1.0); 20];
-    for build in [none, octree] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
+    for build in [none, octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 3] {
         assert_eq!(build(Primitives::default()).closest(&Ray::new(Vec3::ZERO, Vec3::X), Interval::FORWARD), None);
         for ray in [Ray::new(Vec3::NAN, Vec3::X), Ray::new(Vec3::ZERO, Vec3::NAN), Ray::new(Vec3::ZERO, Vec3::ZERO)] {
             assert_eq!(build(primitives(&things)).closest(&ray, Interval::FORWARD), None, "{ray:?}");

@@ -12,6 +12,7 @@
 mod accuracy;
 mod args;
 mod commands;
+mod comparison;
 mod input;
 mod interrupt;
 pub mod metrics;
@@ -34,10 +35,13 @@ pub fn run(modules: Modules) -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Render(arguments) => commands::render::run(&arguments, modules),
         Command::Check(arguments) => commands::check::run(&arguments, modules),
+        Command::Fmt(arguments) => commands::fmt::run(&arguments),
+        Command::ExplainError(arguments) => commands::explain_error::run(&arguments),
         Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),
         Command::Accuracy(arguments) => commands::accuracy::run(&arguments, modules),
+        Command::Parity(arguments) => commands::parity::run(&arguments, modules),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };
     match result {

@@ -68,7 +68,11 @@ impl Aabb {
 ///
 /// With `u` the unit roundoff, `o` the origin, `B` the greatest coordinate of all boxes asked about and `i = 1/d` (rounded):
 /// `(b - o) i` carries three roundings, an error of at most `3u |b - o| |i| (1 + 2u)`, and `|b - o| <= |o| + B`. The slack of
-/// `4u (|o| + B) |i|`, added outwards, covers it; the `u` to spare is 10^8 times a primitive's own `f64` error.
+/// `4u (|o| + B) |i|`, added outwards, covers it; the `u` to spare is 10^8 times a primitive's own `f64` error. Boxes below 1e-30
+/// lose their last digits to underflow, which the smallest normal number, added to the coordinates and to `t`, makes good.
+///
+/// So no box is ever missed, however flat, small, far, or seen along an edge, and none is met that the ray passes by more than `8u
+/// (|o| + B)`: `tests/laws/boxes.rs`.
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-100 of the largest,
 /// which moves the ray by less than the slack inside the boxes: so no infinity or NaN arises from finite input. Where the
@@ -92,7 +96,8 @@ impl BoxProbe {
         let slack = if largest < TOO_SHORT {
             Vec3::INFINITY
         } else {
-            4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) * inverse.abs()
+            let smallest = Vec3::splat(f32::MIN_POSITIVE);
+            (4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) + smallest) * inverse.abs() + smallest
         };
         Self { origin: ray.origin, inverse, slack }
     }

@@ -5,8 +5,12 @@
 //!
 //! A failing case prints as a literal. To paste it, write `use glam::{DMat3, dvec3 as DVec3, vec3 as Vec3};`.
 
+mod secondary;
+
 use glam::{DMat3, DVec3, Vec3};
 use proptest::prelude::*;
+
+pub use secondary::{Apart, CubeEdge, GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, triangles_apart};
 
 use crate::{Aabb, Mesh, Plane, Ray, Sphere, Transform, Triangle};
 
@@ -59,7 +63,7 @@ pub struct Enclosed {
     pub rays: Vec<Ray>,
 }
 
-/// How many cases a law is tried on: a multiple of proptest's own number, which `PROPTEST_CASES` sets.
+/// How many cases a law is tried on: a multiple of proptest's own number. `PROPTEST_CASES` sets one number for all laws.
 ///
 /// Failures are not kept in a file: each becomes a literal test.
 pub fn times(factor: u32) -> ProptestConfig {
@@ -148,15 +152,62 @@ pub fn triangles() -> impl Strategy<Value = Aimed<Triangle>> {
     })
 }
 
-/// Boxes, flat ones included; origins in the planes of faces, on edges and corners, inside, and up to 1e6 sizes away;
+/// Triangles whose corners lie exactly in a row, or on each other, up to 1e6 sizes from the origin of space; rays straight at them.
+///
+/// Whole numbers below 2^24, so that no corner is moved by a rounding.
+pub fn flat_triangles() -> impl Strategy<Value = Aimed<Triangle>> {
+    let whole = |most: i32| [-most..=most, -most..=most, -most..=most].prop_map(|v| Vec3::from(v.map(|x| x as f32)));
+    let order = prop::sample::select(vec![[0, 1, 2], [1, 0, 2], [0, 2, 1], [0, 0, 1], [0, 0, 0]]);
+    let start = prop_oneof![whole(1000), whole(1_000_000)];
+    let step = prop_oneof![whole(1), whole(1000)];
+    let aim = (-0.5_f32..2.5, prop_oneof![Just(1.0_f32), Just(1e3)], unit_vector());
+    (start, step, order, aim).prop_map(|(start, step, order, (along, far, side))| {
+        let place = |steps: f32| start + steps * step;
+        let target = place(if far == 1.0 { along } else { along.round() });
+        let origin = (target.as_dvec3() + side * f64::from(far)).as_vec3();
+        Aimed {
+            shape: Triangle { corners: order.map(|steps| place(steps as f32)) },
+            ray: Ray::new(origin, target - origin),
+        }
+    })
+}
+
+/// Boxes, flat ones included and down to 1e-44 in size; origins in the planes of faces, on edges and corners, inside, and up to 1e6 sizes away;
 /// directions at faces, edges and corners and along them, with components 0, -0 and denormal.
 pub fn boxes() -> impl Strategy<Value = Aimed<Aabb>> {
+    prop_oneof![4 => boxes_at_any_side(), 1 => boxes_along_an_edge()]
+}
+
+fn box_shapes() -> impl Strategy<Value = Aabb> {
     let extent = || prop_oneof![1 => Just(0.0), 3 => magnitude(1e-3, 1.0)];
-    let place = (magnitude(1e-3, 1e6), prop_oneof![Just(0.0), magnitude(1.0, 1e6)], unit_vector());
-    let shape = (place, [extent(), extent(), extent()]).prop_map(|((size, far, side), extent)| {
+    let size = prop_oneof![7 => magnitude(1e-3, 1e6), 1 => magnitude(1e-44, 1e-30)];
+    let place = (size, prop_oneof![Just(0.0), magnitude(1.0, 1e6)], unit_vector());
+    (place, [extent(), extent(), extent()]).prop_map(|((size, far, side), extent)| {
         let min = (side * far * size).as_vec3();
         Aabb { min, max: (min.as_dvec3() + DVec3::from(extent) * size).as_vec3() }
-    });
+    })
+}
+
+/// Rays that run exactly in an edge's line, from before the box, from within the edge, or from behind.
+fn boxes_along_an_edge() -> impl Strategy<Value = Aimed<Aabb>> {
+    let start = prop_oneof![Just(0.0), Just(1.0), 0.0..1.0, -1.0..2.0, magnitude(1.0, 1e6).prop_map(|far| -far)];
+    let sign = || prop_oneof![Just(1.0_f32), Just(-1.0)];
+    (box_shapes(), 0..3_usize, any::<[bool; 2]>(), start, [sign(), sign(), sign()], magnitude(1e-3, 1e3)).prop_map(
+        |(shape, axis, upper, start, signs, length)| {
+            let mut origin = shape.min;
+            for (other, upper) in [(axis + 1) % 3, (axis + 2) % 3].into_iter().zip(upper) {
+                origin[other] = if upper { shape.max[other] } else { shape.min[other] };
+            }
+            let (low, high) = (f64::from(shape.min[axis]), f64::from(shape.max[axis]));
+            origin[axis] = (low + start * (high - low)) as f32;
+            let mut direction = Vec3::ZERO;
+            direction[axis] = length as f32;
+            Aimed { shape, ray: Ray::new(origin, direction * Vec3::from(signs)) }
+        },
+    )
+}
+
+fn boxes_at_any_side() -> impl Strategy<Value = Aimed<Aabb>> {
     let place = || prop_oneof![Just(0.0), Just(1.0), 0.0..1.0, -1.0..2.0];
     let far = || prop_oneof![3 => Just(0.0), 1 => magnitude(1.0, 1e6), 1 => magnitude(1.0, 1e6).prop_map(|far| -far)];
     let origin = [(place(), far()), (place(), far()), (place(), far())];
@@ -166,7 +217,7 @@ pub fn boxes() -> impl Strategy<Value = Aimed<Aabb>> {
         prop_oneof![3 => Just(None), 1 => (sign, tiny).prop_map(|(sign, tiny)| Some(sign * tiny))]
     };
     let target = [(place(), step()), (place(), step()), (place(), step())];
-    (shape, origin, target, magnitude(1e-3, 1e3)).prop_map(|(shape, origin, target, length)| {
+    (box_shapes(), origin, target, magnitude(1e-3, 1e3)).prop_map(|(shape, origin, target, length)| {
         let coordinate = |axis: usize, place: f64| match place {
             0.0 => shape.min[axis],
             1.0 => shape.max[axis],
@@ -238,7 +289,7 @@ pub fn unit_vector() -> impl Strategy<Value = DVec3> {
 }
 
 /// Numbers whose logarithm is spread evenly.
-fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
+pub fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
     (libm::log(from)..libm::log(to)).prop_map(libm::exp)
 }
 
@@ -318,7 +369,7 @@ fn unit_sphere_line() -> impl Strategy<Value = (DVec3, DVec3)> {
 
 /// An octahedron whose triangles were split in four a number of times: points (not on a sphere), and corners
 /// counter-clockwise from outside.
-fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let mut points = vec![DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
     let mut triangles: Vec<[u32; 3]> =
         vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];

@@ -29,6 +29,7 @@ mod sphere;
 mod surface;
 mod transform;
 mod triangle;
+mod triangle_probe;
 
 pub use aabb::{Aabb, BoxProbe};
 pub use cube::unit_cube;
@@ -44,3 +45,4 @@ pub use sphere::Sphere;
 pub use surface::{RayOrigin, Surface};
 pub use transform::Transform;
 pub use triangle::Triangle;
+pub use triangle_probe::TriangleProbe;

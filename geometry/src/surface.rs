@@ -1,10 +1,11 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{Ray, rounding::UNIT_ROUNDOFF};
 
 /// Where a ray that leaves a surface in a direction starts: on the side that it goes to, as near to the surface as the point is known.
-/// The direction has any length but zero. The reference is [`Surface::origin_towards`].
-pub type RayOrigin = fn(&Surface, Vec3) -> Vec3;
+/// The direction has any length but zero; it is in `f64`, since that to a target may lie in the surface but for its last bits. The
+/// reference is [`Surface::origin_towards`].
+pub type RayOrigin = fn(&Surface, DVec3) -> Vec3;
 
 /// The surface at a hit, as a shader needs it. Computed for the nearest hit alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,22 +30,30 @@ impl Surface {
         Self { position, error, geometric_normal, shading_normal: geometric_normal }
     }
 
+    /// The same surface, known to lie at some distance from the point, along the normal.
+    ///
+    /// Rounding moves a point along a curved surface, too, and the surface bends away under it: where it is small and far off, by
+    /// more than the error's share along the normal. Doubled, since a normal turns on the way.
+    pub(crate) fn off_by(self, distance: f32) -> Self {
+        Self { error: self.error + 2.0 * distance * self.geometric_normal.abs(), ..self }
+    }
+
     /// A ray that leaves the surface in a direction.
     pub fn leave(&self, direction: Vec3) -> Ray {
-        Ray { origin: self.origin_towards(direction), direction }
+        Ray { origin: self.origin_towards(direction.as_dvec3()), direction }
     }
 
     /// A ray that leaves the surface and reaches `target` at `t = 1`.
     pub fn leave_towards(&self, target: Vec3) -> Ray {
-        let origin = self.origin_towards(target - self.position);
+        let origin = self.origin_towards(target.as_dvec3() - self.position.as_dvec3());
         Ray { origin, direction: target - origin }
     }
 
     /// The origin of a ray that leaves the surface in a direction: the one place where an origin is moved off a surface.
     ///
     /// The point is somewhere within its error box; the origin is moved along the normal until the whole box is on the side
-    /// the ray goes to, and each coordinate is then rounded away from the surface. (Pharr, Jakob, Humphreys: Physically
-    /// Based Rendering, 4th ed. 2023, section 6.8.6.)
+    /// the ray goes to. (Pharr, Jakob, Humphreys: Physically Based Rendering, 4th ed. 2023, section 6.8.6. They then round each
+    /// coordinate away from the surface; far from the origin of space that moves the ray sideways, out of a small sphere.)
     ///
     /// ```text
     ///           origin  o----> direction
@@ -52,20 +61,12 @@ impl Surface {
     ///   ----|----- p ---|--|---- surface: somewhere in the box around p
     ///       +--------------+
     /// ```
-    pub fn origin_towards(&self, direction: Vec3) -> Vec3 {
+    pub fn origin_towards(&self, direction: DVec3) -> Vec3 {
         let normal = self.geometric_normal;
-        let outward = if direction.dot(normal) < 0.0 { -normal } else { normal };
-        let offset = outward * normal.abs().dot(self.error);
-        let away = |moved: f32, offset: f32| {
-            if offset > 0.0 {
-                moved.next_up()
-            } else if offset < 0.0 {
-                moved.next_down()
-            } else {
-                moved
-            }
-        };
-        let moved = self.position + offset;
-        Vec3::new(away(moved.x, offset.x), away(moved.y, offset.y), away(moved.z, offset.z))
+        let outward = if direction.dot(normal.as_dvec3()) < 0.0 { -normal } else { normal };
+        // Half of the error, which is doubled, is that of the point; the other half covers the rounding of what is returned, but for
+        // its last bits, and for a point at the origin of space, which has no error.
+        let height = normal.abs().dot(self.error) * (1.0 + 8.0 * UNIT_ROUNDOFF) + f32::MIN_POSITIVE;
+        self.position + outward * height
     }
 }

@@ -42,12 +42,6 @@ impl AddAssign for RayCounts {
 }
 
 impl Film {
-    /// A black picture.
-    pub(crate) fn black(width: u32, height: u32) -> Self {
-        let count = width as usize * height as usize;
-        Self { width, height, pixels: vec![Color::BLACK; count], rays: RayCounts::default() }
-    }
-
     /// 8-bit sRGB: three bytes a pixel, row by row from the top; each the nearest to the linear value, clamped.
     pub fn to_srgb_bytes(&self) -> Vec<u8> {
         self.pixels.iter().flat_map(|pixel| pixel.to_array().map(srgb::encode_byte)).collect()

@@ -10,13 +10,18 @@
 //! * Pixels are counted from the top left corner of the whole picture, also in a crop.
 //! * Colours are linear until [`Film::to_srgb_bytes`].
 
+mod adaptive;
 mod assemble;
 mod buckets;
 mod camera;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod dialect;
 mod film;
 mod inventory;
+mod light_samples;
 mod modules;
+mod passes;
 mod raster;
 mod renderer;
 mod sampler;
@@ -30,9 +35,11 @@ pub use camera::{Camera, Frame, Pinhole, ThinLens};
 pub use dialect::Dialect;
 pub use film::{Film, RayCounts};
 pub use inventory::Inventory;
+pub(crate) use light_samples::LightPlan;
+pub use light_samples::LightSamples;
 pub use modules::{Modules, Shaders};
 pub use raster::Raster;
 pub use renderer::{FinishedBucket, render};
 pub use sampler::{Purpose, Sample, Sampler, centred, random, sobol};
 pub use scene::Scene;
-pub use settings::{Buckets, Crop, Settings};
+pub use settings::{Allotment, Buckets, Crop, Settings};

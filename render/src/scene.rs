@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use accel::Accelerator;
 use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, RayOrigin, Surface};
 use glam::Vec2;
@@ -20,6 +22,8 @@ pub struct Scene {
     /// Each primitive's shader, planes included.
     pub(crate) shader_of: Vec<u32>,
     pub(crate) lights: Vec<PointLight>,
+    /// The lights that have taken the place of each of the file's.
+    pub(crate) clusters: Vec<Range<usize>>,
     pub(crate) ambient: f32,
     /// What camera rays see where they hit nothing.
     pub(crate) background: Color,

@@ -4,18 +4,20 @@ use geometry::Ray;
 use glam::DVec2;
 use shading::{Bounces, Color, PointLight, ShadingPoint, World};
 
-use crate::{Purpose, RayCounts, Sample, Scene, Settings};
+use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings};
 
 /// Follows rays through a scene and counts them. Each bucket has its own, so that counting costs threads nothing.
 pub(crate) struct Tracer<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
+    lights: LightPlan<'a>,
     rays: Cell<RayCounts>,
 }
 
 impl<'a> Tracer<'a> {
     pub(crate) fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
-        Self { scene, settings, rays: Cell::default() }
+        let lights = LightPlan::new(scene, settings.light_samples, settings.rays_per_pixel());
+        Self { scene, settings, lights, rays: Cell::default() }
     }
 
     /// The rays traced so far.
@@ -32,7 +34,7 @@ impl<'a> Tracer<'a> {
         let corner = DVec2::new(f64::from(sample.pixel[0]), f64::from(sample.pixel[1]));
         let place = self.scene.raster.film(corner + in_pixel, self.settings.size);
         let ray = self.scene.camera.ray(place, &|| random(Purpose::Lens));
-        let tree = RayTree { tracer: self };
+        let tree = RayTree { tracer: self, sample };
         tree.follow(&ray, self.scene.bounces, self.scene.background)
     }
 
@@ -46,6 +48,7 @@ impl<'a> Tracer<'a> {
 /// All that is seen by one camera ray: the rays that come of it.
 struct RayTree<'a> {
     tracer: &'a Tracer<'a>,
+    sample: Sample,
 }
 
 impl RayTree<'_> {
@@ -67,8 +70,8 @@ impl RayTree<'_> {
 }
 
 impl World for RayTree<'_> {
-    fn light(&self, number: u32, _path: u32) -> Option<PointLight> {
-        self.tracer.scene.lights.get(number as usize).copied()
+    fn light(&self, number: u32, path: u32) -> Option<PointLight> {
+        self.tracer.lights.light(number, path, self.tracer.scene.sampler, self.sample)
     }
 
     fn ambient(&self) -> f32 {

@@ -91,12 +91,12 @@ impl ShadingPoint<'_> {
 
     /// A ray that leaves the surface in a direction.
     pub fn ray_along(&self, direction: Vec3) -> Ray {
-        Ray::new((self.ray_origin)(&self.surface, direction), direction)
+        Ray::new((self.ray_origin)(&self.surface, direction.as_dvec3()), direction)
     }
 
     /// A ray that leaves the surface and reaches `target` at `t = 1`.
     pub fn ray_towards(&self, target: Vec3) -> Ray {
-        let origin = (self.ray_origin)(&self.surface, target - self.surface.position);
+        let origin = (self.ray_origin)(&self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
         Ray::new(origin, target - origin)
     }
 

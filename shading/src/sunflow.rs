@@ -6,13 +6,20 @@
 mod constant;
 mod flux;
 mod glass;
+mod long_normal;
 mod mirror;
 mod phong;
+mod ray_origin;
+mod shaded;
+mod shiny;
 mod texture;
 
 pub use constant::Constant;
 pub use flux::inverse_square_falloff;
 pub use glass::Glass;
+pub use long_normal::LongNormal;
 pub use mirror::Mirror;
 pub use phong::Phong;
-pub use texture::{BrighterTexture, SmoothTexture};
+pub use ray_origin::ray_origin;
+pub use shiny::Shiny;
+pub use texture::SmoothTexture;

@@ -1,4 +1,4 @@
-//! Our FLIP against what its authors' program, version 1.2, says of small pictures. `nv_flip.rs` runs that program itself.
+//! Our FLIP against what its authors' program, as the crate nv-flip 0.1.2 carries it, says of small pictures. `nv_flip.rs` runs that program itself.
 
 mod pairs;
 

@@ -60,7 +60,7 @@ fn is_somebodys_own(origin: RayOrigin) -> bool {
     (0..100).any(|_| {
         let point = (random.direction() * random.magnitude(1e-3, 1e6)).as_vec3();
         let surface = Surface::rounded(point, point.abs().max_element(), random.direction().as_vec3());
-        let direction = random.direction().as_vec3();
+        let direction = random.direction();
         origin(&surface, direction) != surface.origin_towards(direction)
     })
 }
@@ -191,7 +191,7 @@ fn measured(body: &str, enclose: Enclose, size: f64, ways: &[Way], effort: &Effo
                 Point::OfSurface => surface.position,
                 Point::AlongRay => naive::hit_point(&ray, hit.t),
             };
-            let origin = (way.origin)(&Surface { position, ..surface }, outward.as_vec3());
+            let origin = (way.origin)(&Surface { position, ..surface }, outward);
             let new = Ray::new(origin, outward.as_vec3());
             if closest(&body, &new).is_some() {
                 wrong.acne += 1.0;

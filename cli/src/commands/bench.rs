@@ -57,28 +57,12 @@ fn sources(wanted: &[String]) -> Result<Vec<SceneSource>, Failure> {
     for scene in wanted {
         let path = Path::new(scene);
         if path.is_dir() {
-            sources.extend(folder(path)?);
+            sources.extend(SceneSource::folder(path)?);
         } else {
             sources.push(SceneSource::find(scene)?);
         }
     }
     Ok(sources)
-}
-
-fn folder(path: &Path) -> Result<Vec<SceneSource>, Failure> {
-    let failed = |error| Failure::of(format!("the folder `{}` cannot be read", path.display()), error);
-    let mut paths = Vec::new();
-    for entry in std::fs::read_dir(path).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.extension().is_some_and(|ending| ending == "sc") {
-            paths.push(path);
-        }
-    }
-    if paths.is_empty() {
-        return Err(Failure::new(format!("there is no .sc file in the folder `{}`", path.display())));
-    }
-    paths.sort();
-    paths.iter().map(|path| SceneSource::file(path)).collect()
 }
 
 /// What was measured of a scene.

@@ -11,8 +11,9 @@
 //!   error of a pixel = c^(1 - f)
 //! ```
 //!
-//! A difference in colour counts more where an edge or a point appears or vanishes. The constants are those of the authors' program of
-//! version 1.2, erratum included (Y is brought to 0..1 by dividing by 116, not 100).
+//! A difference in colour counts more where an edge or a point appears or vanishes. The constants and the extent of the filters are
+//! those of the authors' program, the paper's erratum included (Y is brought to 0..1 by dividing by 116, not 100). It is for pictures as
+//! screens show them; there is another one, HDR-FLIP, for all exposures of a picture.
 
 mod blur;
 mod color;

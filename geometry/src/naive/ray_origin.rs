@@ -1,4 +1,4 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{Ray, Surface};
 
@@ -10,17 +10,17 @@ pub const OFFSET: f32 = 1e-4;
 /// Right for scenes about as large as 1. The rounding of a point grows with its coordinates: from 1000 on it is as large as the
 /// offset, and rays meet the surface that they leave ("acne"). In a scene of size 1/1000 the offset jumps over what it
 /// should have met: light shines through walls.
-pub fn offset_along_normal(surface: &Surface, direction: Vec3) -> Vec3 {
+pub fn offset_along_normal(surface: &Surface, direction: DVec3) -> Vec3 {
     let normal = surface.geometric_normal;
-    let outward = if direction.dot(normal) < 0.0 { -normal } else { normal };
+    let outward = if direction.as_vec3().dot(normal) < 0.0 { -normal } else { normal };
     surface.position + outward * OFFSET
 }
 
 /// A new ray starts a constant way along itself: what a `t_min` of [`OFFSET`] for unit directions comes to.
 ///
 /// As [`offset_along_normal`], but worse for flat directions, which leave the surface by only a part of the offset.
-pub fn offset_along_ray(surface: &Surface, direction: Vec3) -> Vec3 {
-    surface.position + direction.normalize_or_zero() * OFFSET
+pub fn offset_along_ray(surface: &Surface, direction: DVec3) -> Vec3 {
+    surface.position + direction.as_vec3().normalize_or_zero() * OFFSET
 }
 
 /// The point `o + t d` in `f32`, which most programs take for the hit point.
@@ -40,15 +40,15 @@ mod tests {
     fn the_offset_is_too_small_for_a_large_scene_and_nothing_is_moved() {
         let surface = Surface::rounded(Vec3::new(0.0, 0.0, 4096.0), 4096.0, Vec3::Z);
         // The next f32 after 4096 is 4096.0005.
-        assert_eq!(offset_along_normal(&surface, Vec3::Z), surface.position);
-        assert_eq!(offset_along_ray(&surface, Vec3::Z), surface.position);
-        assert!(surface.origin_towards(Vec3::Z).z > 4096.0);
+        assert_eq!(offset_along_normal(&surface, DVec3::Z), surface.position);
+        assert_eq!(offset_along_ray(&surface, DVec3::Z), surface.position);
+        assert!(surface.origin_towards(DVec3::Z).z > 4096.0);
     }
 
     #[test]
     fn a_new_ray_starts_on_the_side_that_it_goes_to() {
         let surface = Surface::rounded(Vec3::ZERO, 1.0, Vec3::Z);
-        assert_eq!(offset_along_normal(&surface, -Vec3::Z), -OFFSET * Vec3::Z);
-        assert_eq!(offset_along_ray(&surface, -2.0 * Vec3::Z), -OFFSET * Vec3::Z);
+        assert_eq!(offset_along_normal(&surface, -DVec3::Z), -OFFSET * Vec3::Z);
+        assert_eq!(offset_along_ray(&surface, -2.0 * DVec3::Z), -OFFSET * Vec3::Z);
     }
 }

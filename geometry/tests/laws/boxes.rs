@@ -30,9 +30,10 @@ fn exact_clip(low: &Vector, high: &Vector, ray: &Ray) -> Option<(Exact, Option<E
     if far.as_ref().is_some_and(|far| *far < near) { None } else { Some((near, far)) }
 }
 
-/// The box with each face moved outwards by some share of the coordinates.
+/// The box with each face moved outwards by some share of the coordinates, and by what underflows: of them, and of `t`.
 fn grown(bounds: Aabb, ray: &Ray, share: f64) -> (Vector, Vector) {
-    let by = (ray.origin.abs().as_dvec3() + f64::from(bounds.magnitude())) * share;
+    let underflow = 3.0 * f64::from(f32::MIN_POSITIVE) * (1.0 + f64::from(ray.direction.abs().max_element()));
+    let by = (ray.origin.abs().as_dvec3() + f64::from(bounds.magnitude())) * share + underflow;
     (Vector::from(bounds.min).minus(&by.into()), Vector::from(bounds.max).plus(&by.into()))
 }
 
@@ -84,6 +85,13 @@ proptest! {
         let behind = Interval { min: clipped.max.next_up(), max: f32::INFINITY };
         prop_assert!(probe.clip(shape, behind).is_none());
     }
+}
+
+/// Four roundings of so small a box are less than the least number there is.
+#[test]
+fn denormal_boxes_are_not_missed() {
+    let shape = Aabb { min: Vec3::ZERO, max: Vec3::new(3.66e-42, 0.0, 0.0) };
+    is_not_missed(&Aimed { shape, ray: Ray::new(Vec3::ZERO, Vec3::X) }).unwrap();
 }
 
 /// The reciprocal of a component below 2^-126 may overflow; what replaces the component must not turn the ray.

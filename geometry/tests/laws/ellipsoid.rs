@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use crate::exact::{DOUBLE, Exact, Quadratic, ULPS, Vector, approximate, exact, truths};
 
 /// The map's inverse times its determinant, by cofactors, applied to a vector; and the determinant.
-fn to_unit(map: &Transform, v: &Vector) -> (Vector, Exact) {
+pub(crate) fn to_unit(map: &Transform, v: &Vector) -> (Vector, Exact) {
     let [x, y, z] = [map.linear.x_axis, map.linear.y_axis, map.linear.z_axis].map(Vector::from);
     let rows = [y.cross(&z), z.cross(&x), x.cross(&y)];
     let determinant = rows[0].dot(&x);
@@ -34,7 +34,7 @@ pub(crate) fn equation(map: &Transform, ray: &Ray) -> Quadratic {
 
 /// What a rounding in `f64` moves the line by, as the unit sphere sees it. The inverse is off by the map's condition number,
 /// and by what cancels in its determinant (Hadamard's ratio: the axes' lengths over the volume); the origin by its distance too.
-fn line_error(map: &Transform, ray: &Ray) -> f64 {
+pub(crate) fn line_error(map: &Transform, ray: &Ray) -> f64 {
     let lengths = |m: DMat3| DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length());
     let inverse = map.linear.inverse();
     let condition = lengths(map.linear).length() * lengths(inverse).length();
@@ -44,7 +44,7 @@ fn line_error(map: &Transform, ray: &Ray) -> f64 {
 }
 
 /// How deep the line runs in the unit sphere: half the chord, squared; negative outside.
-fn depth(equation: &Quadratic, map: &Transform) -> f64 {
+pub(crate) fn depth(equation: &Quadratic, map: &Transform) -> f64 {
     let (_, determinant) = to_unit(map, &DVec3::ZERO.into());
     approximate(&(equation.discriminant() / &equation.a / (&determinant * &determinant)))
 }

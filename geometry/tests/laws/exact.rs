@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use dashu_float::{FBig, round::mode::HalfEven};
 pub(crate) use dashu_ratio::Relaxed as Exact;
 use glam::{DVec3, Vec3};
 
@@ -31,6 +32,26 @@ pub(crate) fn is_within(number: &Exact, [low, high]: &[Exact; 2]) -> bool {
 
 pub(crate) fn approximate(number: &Exact) -> f64 {
     number.to_f64_fast()
+}
+
+/// A number to 256 bits, for what has no rational value.
+pub(crate) type Real = FBig<HalfEven>;
+
+const PRECISION: usize = 256;
+
+pub(crate) fn real(number: &Exact) -> Real {
+    let whole = |part: Real| part.with_precision(PRECISION).value();
+    whole(Real::from(number.numerator().clone())) / whole(Real::from(number.denominator().clone()))
+}
+
+pub(crate) fn pi() -> Real {
+    Real::pi(PRECISION)
+}
+
+/// How far two places are apart on a circle of circumference 1.
+pub(crate) fn apart_on_circle(a: f32, b: &Real) -> f64 {
+    let off = real(&exact(a)) - b;
+    (&off - off.round()).to_f64().value().abs()
 }
 
 /// A vector without rounding.

@@ -8,6 +8,8 @@ mod ellipsoid;
 mod exact;
 mod leaving;
 mod plane;
+mod secondary;
 mod sphere;
+mod texture;
 mod triangle;
 mod undefined;

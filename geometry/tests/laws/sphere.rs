@@ -46,6 +46,20 @@ proptest! {
         t_is_exact(&aimed)?;
     }
 
+    /// More nearly tangential, `t` is as exact as `f64` sees: a rounding of the depth, divided by the depth's root.
+    #[test]
+    fn t_is_as_exact_as_f64_sees_near_a_tangent(aimed in spheres()) {
+        let Aimed { shape, ray } = aimed;
+        let (clearance, scale) = clearance(&shape, &ray);
+        let error = f64::exp2(-49.0) * scale;
+        prop_assume!(clearance < -error);
+        let equation = equation(&shape, &ray);
+        if let (Some(hit), Some(root)) = (shape.intersect(&ray, Interval::FORWARD), equation.first_ahead()) {
+            let error = error / (-clearance).sqrt() / ray.direction.as_dvec3().length();
+            prop_assert!(equation.root_is_within(root, &truths(hit.t, ULPS, error)), "t = {}", hit.t);
+        }
+    }
+
     /// Stronger than NUMERICS' `(4 + 32 u (D/r)^2) u (D + r)`: the inputs are taken as exact, and `f64` sees 2^29 times finer.
     #[test]
     fn hit_and_miss_are_right_unless_the_line_touches_as_closely_as_f64_sees(aimed in spheres()) {

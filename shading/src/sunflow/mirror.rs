@@ -1,5 +1,7 @@
 use crate::{Color, Shader, ShadingPoint};
 
+use super::shaded::Shaded;
+
 /// A mirror that reflects the more, the flatter it is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
@@ -7,22 +9,20 @@ pub struct Mirror {
     pub reflection: Color,
 }
 
-impl Mirror {
-    /// What it reflects at an angle to its normal: `c + (1 - c) (1 - cos)^5`. (Schlick: An Inexpensive BRDF Model for Physically-based
-    /// Rendering, 1994.)
-    fn reflectance(&self, cosine: f32) -> Color {
-        let off = 1.0 - cosine;
-        let grazing = off * off * off * off * off;
-        self.reflection.map(|channel| channel + (1.0 - channel) * grazing)
-    }
-}
-
 impl Shader for Mirror {
     /// `reflectance(v.n) x trace(reflected)`
     fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
-        let cosine = (-at.direction.dot(at.normal())).clamp(0.0, 1.0);
-        self.reflectance(cosine) * at.reflected()
+        let shaded = Shaded::new(at);
+        reflectance(self.reflection, shaded.cosine) * shaded.reflected()
     }
+}
+
+/// What a mirror of a colour c reflects at an angle to its normal: `c + (1 - c) (1 - cos)^5`. (Schlick: An Inexpensive BRDF Model for
+/// Physically-based Rendering, 1994.)
+pub(super) fn reflectance(color: Color, cosine: f32) -> Color {
+    let off = 1.0 - cosine;
+    let grazing = off * off * off * off * off;
+    color.map(|channel| channel + (1.0 - channel) * grazing)
 }
 
 #[cfg(test)]
@@ -31,10 +31,10 @@ mod tests {
 
     #[test]
     fn a_mirror_reflects_its_colour_from_above_and_everything_along_it() {
-        let mirror = Mirror { reflection: Color::new(0.5, 0.25, 0.0) };
-        assert_eq!(mirror.reflectance(1.0), mirror.reflection);
-        assert_eq!(mirror.reflectance(0.0), Color::WHITE);
+        let color = Color::new(0.5, 0.25, 0.0);
+        assert_eq!(reflectance(color, 1.0), color);
+        assert_eq!(reflectance(color, 0.0), Color::WHITE);
         // (1 - 0.5)^5 = 1/32
-        assert_eq!(mirror.reflectance(0.5), Color::new(0.515_625, 0.273_437_5, 0.031_25));
+        assert_eq!(reflectance(color, 0.5), Color::new(0.515_625, 0.273_437_5, 0.031_25));
     }
 }

@@ -3,7 +3,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use crate::{Color, Shader, ShadingPoint, Texture, matt::power, optics::reflect};
+use super::shaded::Shaded;
+use crate::{Color, Shader, ShadingPoint, Texture, matt::power};
 
 /// A matt surface, of one colour or textured, with a highlight; black where no light reaches.
 #[derive(Clone)]
@@ -21,11 +22,12 @@ impl Shader for Phong {
     /// at n. Its factors keep either part from reflecting more than arrives. (Lafortune and Willems: Using the Modified Phong
     /// Reflectance Model for Physically Based Rendering, 1994.)
     fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        let shaded = Shaded::new(at);
         let shines = self.specular != Color::BLACK;
-        let mirrored = if shines { reflect(at.direction, at.normal()) } else { Vec3::ZERO };
+        let mirrored = if shines { shaded.mirrored() } else { Vec3::ZERO };
         let mut matt = Color::BLACK;
         let mut highlight = Color::BLACK;
-        for light in at.lit() {
+        for light in shaded.lit() {
             let arriving = light.color * light.cosine;
             matt += arriving;
             if shines {

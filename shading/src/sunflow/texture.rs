@@ -1,5 +1,3 @@
-use std::sync::Arc;
-
 use glam::Vec2;
 
 use crate::{Color, ImageTexture, Texture, srgb};
@@ -43,20 +41,6 @@ fn neighbours(coordinate: f32, count: usize) -> (usize, usize, f32) {
     let first = place as usize;
     let t = if place.is_nan() { 0.0 } else { place - first as f32 };
     (first, (first + 1) % count, t * t * (3.0 - 2.0 * t))
-}
-
-/// A texture, brighter.
-pub struct BrighterTexture {
-    /// The texture.
-    pub texture: Arc<dyn Texture>,
-    /// Multiplies its colour.
-    pub by: f32,
-}
-
-impl Texture for BrighterTexture {
-    fn color(&self, uv: &dyn Fn() -> Vec2) -> Color {
-        self.texture.color(uv) * self.by
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,74 @@
+//! Vectors of eight numbers, in three instruction sets.
+//!
+//! A traversal is written once, over [`Isa`], and compiled three times: for AVX-512, for AVX2, and for any processor. Which one runs is
+//! asked of the processor when the accelerator is built. All three do the same IEEE operations in the same order, none fused, so
+//! they give the same bits.
+//!
+//! # Safety
+//!
+//! The only `unsafe` of the project stands in this module and its children. It is of three kinds:
+//!
+//! 1. *Instructions the processor may not have.* A value of [`Avx2`] or [`Avx512`] can be made only by its `detect`, which asks the
+//!    processor; a vector can be made only from such a value, or from another vector. So whoever holds a vector runs on a processor
+//!    that has its instructions, and each operation on it is sound. `vectorize` enters code compiled for the instructions, and
+//!    takes such a value, too.
+//! 2. *Loads and stores.* Each takes a reference to an array of just the vector's size, and is of the kind that asks for no alignment.
+//! 3. *The stack's memory that is not yet written* ([`Stack`]): read only below its length, all of which `push` has written.
+#![allow(unsafe_code)]
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod portable;
+mod stack;
+
+use std::ops::{Add, Div, Mul, Sub};
+
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx512::Avx512;
+pub(super) use portable::Portable;
+pub(super) use stack::Stack;
+
+/// An instruction set that this processor has.
+pub(super) trait Isa: Copy {
+    /// Eight `f32`.
+    type F32: Lanes<Self>;
+
+    /// Runs code compiled for the instruction set. What it calls must be `#[inline(always)]` to be compiled with it.
+    fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
+}
+
+/// Each component in all lanes of its own vector.
+#[inline(always)]
+pub(super) fn splat<I: Isa>(isa: I, [x, y, z]: [f32; 3]) -> [I::F32; 3] {
+    [I::F32::splat(isa, x), I::F32::splat(isa, y), I::F32::splat(isa, z)]
+}
+
+/// Eight `f32`, one for each lane.
+///
+/// Comparisons give a bit for each lane. What minimum and maximum of a NaN are is not said.
+pub(super) trait Lanes<I>:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The same number in all lanes.
+    fn splat(isa: I, value: f32) -> Self;
+    /// Lane by lane from memory.
+    fn load(isa: I, from: &[f32; 8]) -> Self;
+    /// Lane by lane to memory.
+    fn store(self, to: &mut [f32; 8]);
+    /// `self * factor - less`, rounded once or twice as the processor likes: for what has slack for both.
+    fn times_less(self, factor: Self, less: Self) -> Self;
+    /// The lesser, lane by lane.
+    fn min(self, other: Self) -> Self;
+    /// The greater, lane by lane.
+    fn max(self, other: Self) -> Self;
+    /// Without its sign.
+    fn abs(self) -> Self;
+    /// A bit for each lane that is less than the other's; none for a NaN.
+    fn lt(self, other: Self) -> u32;
+    /// A bit for each lane that is no greater than the other's; none for a NaN.
+    fn le(self, other: Self) -> u32;
+}

@@ -1,0 +1,108 @@
+use std::num::NonZeroU32;
+use std::ops::Range;
+
+use shading::PointLight;
+
+use crate::{Purpose, Sample, Sampler, Scene};
+
+/// How many lights of each cluster are asked at a point where soft shadows may fall. If not all, the sampler chooses, and each counts for
+/// those that were not asked: the mean is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LightSamples {
+    /// Every light: the report's. No noise, but each point of each ray costs as many shadow rays.
+    All,
+    /// A pixel's rays share a cluster out, so that together they ask about as often as it has lights. A single ray asks them all.
+    #[default]
+    Shared,
+    /// So many, or all if there are not so many.
+    Each(NonZeroU32),
+}
+
+impl LightSamples {
+    /// How many of a cluster's lights a ray asks at each point.
+    fn of_cluster(self, lights: u32, rays_per_pixel: u32) -> u32 {
+        match self {
+            Self::All => lights,
+            Self::Shared => lights.div_ceil(rays_per_pixel),
+            Self::Each(count) => lights.min(count.get()),
+        }
+    }
+}
+
+/// The lights that are asked at each point, in turn.
+pub(crate) struct LightPlan<'a> {
+    lights: &'a [PointLight],
+    /// `None` where every light is asked.
+    draws: Option<Vec<Draw>>,
+}
+
+/// One light to be drawn from a cluster.
+struct Draw {
+    cluster: u32,
+    lights: Range<usize>,
+    /// Which of the draws from the cluster, and how many there are.
+    turn: u32,
+    turns: u32,
+}
+
+impl<'a> LightPlan<'a> {
+    pub(crate) fn new(scene: &'a Scene, samples: LightSamples, rays_per_pixel: u32) -> Self {
+        let asked = |cluster: &Range<usize>| samples.of_cluster(cluster.len() as u32, rays_per_pixel);
+        let all = scene.clusters.iter().all(|cluster| asked(cluster) as usize == cluster.len());
+        let draws = || {
+            let numbered = (0..).zip(&scene.clusters);
+            let draws = numbered.flat_map(|(cluster, lights)| {
+                let turns = asked(lights);
+                (0..turns).map(move |turn| Draw { cluster, lights: lights.clone(), turn, turns })
+            });
+            draws.collect()
+        };
+        Self { lights: &scene.lights, draws: (!all).then(draws) }
+    }
+
+    /// How many there are.
+    pub(crate) fn asked(&self) -> usize {
+        self.draws.as_ref().map_or(self.lights.len(), Vec::len)
+    }
+
+    /// The light to ask at a point in the given turn; `None` after the last.
+    pub(crate) fn light(&self, number: u32, path: u32, sampler: Sampler, sample: Sample) -> Option<PointLight> {
+        let Some(draws) = &self.draws else { return self.lights.get(number as usize).copied() };
+        let draw = draws.get(number as usize)?;
+        let lights = &self.lights[draw.lights.clone()];
+        let chosen = if draw.turns as usize == lights.len() {
+            draw.turn as usize
+        } else {
+            let place = sampler(Sample {
+                zones: 1,
+                count: sample.count.saturating_mul(draw.turns),
+                index: sample.index.wrapping_mul(draw.turns).wrapping_add(draw.turn),
+                purpose: Purpose::Light { cluster: draw.cluster, path },
+                ..sample
+            });
+            (place.x * lights.len() as f64) as usize
+        };
+        let light = *lights.get(chosen)?;
+        Some(PointLight { color: light.color * (lights.len() as f32 / draw.turns as f32), ..light })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_s_rays_together_ask_about_as_often_as_a_cluster_has_lights() {
+        let asked = |rays| LightSamples::Shared.of_cluster(27, rays);
+        assert_eq!([1, 2, 4, 16, 27, 1000].map(asked), [27, 14, 7, 2, 1, 1]);
+        // A light without cluster is always asked.
+        assert_eq!(LightSamples::Shared.of_cluster(1, 16), 1);
+    }
+
+    #[test]
+    fn no_more_lights_are_asked_than_there_are() {
+        let each = |count: u32| LightSamples::Each(NonZeroU32::MIN.saturating_add(count - 1));
+        assert_eq!([1, 5, 27, 100].map(|count| each(count).of_cluster(27, 4)), [1, 5, 27, 27]);
+        assert_eq!(LightSamples::All.of_cluster(27, 4), 27);
+    }
+}
