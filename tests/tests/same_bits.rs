@@ -119,7 +119,8 @@ fn a_crop_has_the_bits_of_the_same_part_of_the_whole() {
                 let rows = whole.pixels.chunks(whole.width as usize).skip(crop.y as usize).take(crop.height as usize);
                 let columns = crop.x as usize..(crop.x + crop.width) as usize;
                 let pixels = rows.flat_map(|row| &row[columns.clone()]).copied().collect();
-                let expected = Film { width: crop.width, height: crop.height, pixels, rays: part.rays, lost: part.lost.clone() };
+                let expected =
+                    Film { width: crop.width, height: crop.height, pixels, rays: part.rays, lost: part.lost.clone() };
                 assert_same(name, &format!("{crop:?}"), &part, &expected);
             }
         }
