@@ -13,7 +13,7 @@ const CRATES: [&str; 6] = ["geometry", "accel", "shading", "scene-format", "rend
 const SMALL: f64 = 1e-2;
 
 /// File, number as it is written, and why it stands there.
-const EXCEPTIONS: [(&str, &str, &str); 0] = [
+const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("geometry/src/rounding.rs", "EPSILON", "the unit roundoff itself, in which the bounds are counted"),
     ("geometry/src/surface.rs", "1.0 / (1 << 48)", "the f64 steps behind a hit point, in its error bound"),
     (
@@ -62,7 +62,7 @@ const EXCEPTIONS: [(&str, &str, &str); 0] = [
 ];
 
 /// Folders and files whose numbers are their own business, and why.
-const FOLDERS: [(&str, &str); 5] = [
+const FOLDERS: &[(&str, &str)] = &[
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
