@@ -62,7 +62,7 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
 ];
 
 /// Folders and files whose numbers are their own business, and why.
-const FOLDERS: [(&str, &str); 5] = [
+const FOLDERS: &[(&str, &str)] = &[
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
