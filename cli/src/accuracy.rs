@@ -2,13 +2,25 @@
 //!
 //! Errors are the same on every run with the same seed; times are this machine's.
 
+mod aimed;
 pub(crate) mod chart;
+mod exact;
+mod families;
 pub(crate) mod figure;
 mod images;
+mod instructions;
+mod kernels;
 mod machine;
+mod measure;
+mod new_rays;
 mod page;
 mod pictures;
+mod random;
+mod speed;
 pub(crate) mod steps;
+mod sweeps;
+mod text;
+mod truth;
 
 use render::Modules;
 use serde_json::{Map, Value, json};
@@ -57,8 +69,17 @@ pub(crate) struct Report {
 
 /// Measures everything. Kernels of `modules` that are not ours appear beside ours.
 pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> Result<Report, Failure> {
-    let steps = Steps::start(images::steps(modules) + pictures::STEPS, progress);
-    let figures = [images::figure(modules, effort, &steps)?, pictures::figure(effort, &steps)?];
+    let steps = Steps::start(
+        speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(modules) + pictures::STEPS,
+        progress,
+    );
+    let figures = [
+        speed::figure(modules, &instructions::Counts::default(), effort, &steps)?,
+        sweeps::figure(modules, effort, &steps)?,
+        new_rays::figure(modules, effort, &steps)?,
+        images::figure(modules, effort, &steps)?,
+        pictures::figure(effort, &steps)?,
+    ];
     steps.finish();
     Ok(assembled(effort, &figures))
 }

@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::options::{RenderOptions, parse_positive_seconds};
@@ -23,7 +23,13 @@ pub(crate) enum Command {
     /// Render a scene to a picture.
     Render(RenderArguments),
     /// Read a scene and say everything that is wrong with it, without rendering.
-    Check(SceneArgument),
+    ///
+    /// Of a folder, a table of all .sc files in it and in the folders below: what there is to say about each, and whether it renders.
+    Check(CheckArguments),
+    /// Lay a scene's text out in one style, comments and all.
+    Fmt(FmtArguments),
+    /// Say more about a message by its code, with an example that is wrong and one that is right.
+    ExplainError(ExplainArguments),
     /// Show what a scene needs and what it will cost.
     Inspect(InspectArguments),
     /// List the built-in scenes, print one, or write it to a folder.
@@ -50,6 +56,45 @@ pub(crate) struct SceneArgument {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// A built-in scene, the path of a .sc file, or a folder of them.
+    pub(crate) scene: String,
+    /// How to say it: text for people, or one JSON object a line for tools, on stdout.
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: MessageFormat,
+    /// Fail if there is a warning.
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
+/// How messages are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MessageFormat {
+    /// For people, on stderr.
+    Text,
+    /// For tools, on stdout.
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FmtArguments {
+    /// A built-in scene, or the path of a .sc file; the text is printed.
+    pub(crate) scene: String,
+    /// Print nothing, and fail if the text is not laid out like this.
+    #[arg(long, conflicts_with = "write")]
+    pub(crate) check: bool,
+    /// Put the text in the file's place instead of printing it.
+    #[arg(short, long)]
+    pub(crate) write: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// The code that stands in brackets before a message, like SC107; all are listed without it.
+    pub(crate) code: Option<String>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct RenderArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArgument,
@@ -62,6 +107,9 @@ pub(crate) struct RenderArguments {
     /// dimmed to a quarter.
     #[arg(long)]
     pub(crate) show_nan: bool,
+    /// Render nothing if there is a warning.
+    #[arg(long)]
+    pub(crate) strict: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,

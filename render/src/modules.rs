@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use accel::Accelerator;
 use geometry::{Kernels, Primitives, RayOrigin, Surface};
-use scene_format::{Files, Parsed, scene_file::BucketOrder};
+use scene_format::{Files, Limits, Parsed, scene_file::BucketOrder};
 use shading::{
     Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
     sunflow,
@@ -18,8 +18,10 @@ use crate::{Dialect, Sampler, Tile, bucket_order, centred, sobol};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Modules {
-    /// Reads a scene: its name for messages, its text, and what gives it its includes.
-    pub parse: fn(&str, &str, &dyn Files) -> Parsed,
+    /// Reads a scene: its name for messages, its text, what gives it its includes, and the limits.
+    pub parse: for<'s> fn(&str, &'s str, &dyn Files, &Limits) -> Parsed<'s>,
+    /// How much a scene may ask for.
+    pub limits: Limits,
     /// How rays meet each kind of primitive.
     pub kernels: Kernels,
     /// Where shadow rays and mirrored and refracted rays start.
@@ -86,7 +88,8 @@ impl Shaders {
 impl Default for Modules {
     fn default() -> Self {
         Self {
-            parse: scene_format::parse,
+            parse: scene_format::parse_within,
+            limits: Limits::default(),
             kernels: Kernels::default(),
             ray_origin: Surface::origin_towards,
             accelerator: accel::octree,

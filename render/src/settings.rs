@@ -144,8 +144,11 @@ impl Settings {
             match &statement.value {
                 Statement::Image(image) => self.read_image(image),
                 Statement::Bucket(bucket) => {
-                    self.buckets =
-                        Buckets { size: bucket.size.clamp(16, 512), order: bucket.order, reversed: bucket.reversed };
+                    self.buckets = Buckets {
+                        size: bucket.size.clamp(16, 512),
+                        order: bucket.order.value,
+                        reversed: bucket.reversed,
+                    };
                 }
                 Statement::Include { file: Some(included), .. } => self.read(&included.scene),
                 _ => {}
@@ -155,9 +158,9 @@ impl Settings {
 
     fn read_image(&mut self, image: &Image) {
         if let Some(size) = image.resolution {
-            self.size = size;
+            self.size = size.value;
         }
-        if let Some([min, max]) = image.aa {
+        if let Some([min, max]) = image.aa.map(|aa| aa.value) {
             let clamped = |aa: i32| aa.clamp(0, 5).unsigned_abs();
             (self.least_aa, self.aa) = (clamped(min.min(max)), clamped(min.max(max)));
         }

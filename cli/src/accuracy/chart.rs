@@ -117,6 +117,7 @@ impl Chart {
                 }
             }
             match series.mark {
+                Mark::None => {}
                 Mark::Disc => {
                     chart.draw_series(points.iter().map(|&point| Circle::new(point, 4, color.filled())))?;
                 }

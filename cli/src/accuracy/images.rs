@@ -2,24 +2,20 @@
 
 mod charts;
 mod curve;
+mod samplings;
 mod study;
 mod tables;
 
-use clap::ValueEnum;
 use render::Modules;
 use serde_json::{Value, json};
 
 use super::figure::{BLUE, Figure, GREEN, GREY, Key, Mark, ORANGE, PINK, Part};
 use super::{Effort, steps::Steps};
-use crate::options::SamplerName;
 use crate::report::Failure;
 use crate::scenes::{self, EmbeddedScene};
 use curve::{Measure, Point};
-use study::{Sampling, Study};
-
-/// What others are held against: the report's way, at the third of the measured points, 16 rays a pixel.
-const BASE: usize = 0;
-const BASE_POINT: usize = 2;
+use samplings::{BASE, Sampling, all as samplings};
+use study::Study;
 
 /// Steps of [`figure`].
 pub(crate) fn steps(modules: &Modules) -> usize {
@@ -39,20 +35,6 @@ pub(crate) fn figure(modules: &Modules, effort: &Effort, steps: &Steps) -> Resul
         parts: parts(&studies, &samplings)?,
         data: data(&studies, &samplings),
     })
-}
-
-/// The report's sampler, then all others that can be named, then the one of `modules`, if it is none of these.
-fn samplings(modules: &Modules) -> Vec<Sampling> {
-    let others = SamplerName::value_variants().iter().filter(|name| **name != SamplerName::Random);
-    let named = [SamplerName::Random].iter().chain(others).map(|name| Sampling {
-        name: name.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()),
-        sampler: name.sampler(),
-    });
-    let mut samplings: Vec<Sampling> = named.collect();
-    if !samplings.iter().any(|ours| std::ptr::fn_addr_eq(ours.sampler, modules.sampler)) {
-        samplings.push(Sampling { name: "yours".to_owned(), sampler: modules.sampler });
-    }
-    samplings
 }
 
 fn key(number: usize, sampling: &Sampling) -> Key {

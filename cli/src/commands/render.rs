@@ -24,6 +24,9 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
 
     let show = if arguments.quiet { Show::Errors } else { Show::BeforeRendering };
     let ready = source.assemble(&parsed, &arguments.options, modules, show)?;
+    if arguments.strict {
+        report::refuse_warnings(source.label(), &parsed.diagnostics, &ready.assembled.warnings)?;
+    }
     clock.lap("assembling");
 
     let progress = Progress::start(&source.name, arguments.quiet);

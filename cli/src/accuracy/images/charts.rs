@@ -1,8 +1,9 @@
 //! The figure's diagrams.
 
+use super::ERRORS;
 use super::curve::{Measure, Point, geometric_mean};
+use super::samplings::{BASE, BASE_STEP};
 use super::study::Study;
-use super::{BASE, BASE_POINT, ERRORS};
 use crate::accuracy::chart::{Chart, Line, Series};
 use crate::accuracy::figure::{Key, Part};
 use crate::report::Failure;
@@ -12,7 +13,7 @@ pub(super) fn overview(studies: &[Study], keys: &[Key]) -> Result<Vec<Part>, Fai
     let chart = |(name, error): (&str, Measure)| {
         let relative = |sampling: usize, number: usize, measure: Measure| {
             let ratio =
-                |study: &Study| measure(&study.curves[sampling][number]) / measure(&study.curves[BASE][BASE_POINT]);
+                |study: &Study| measure(&study.curves[sampling][number]) / measure(&study.curves[BASE][BASE_STEP]);
             geometric_mean(studies.iter().map(ratio).filter(|ratio| ratio.is_normal()))
         };
         let curves: Vec<Vec<[f64; 2]>> = (0..keys.len())

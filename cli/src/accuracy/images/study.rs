@@ -3,9 +3,10 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use render::{Buckets, Film, Modules, Sampler, Settings, render};
+use render::{Allotment, Buckets, Film, Modules, Settings, render};
 
 use super::curve::Point;
+use super::samplings::{Sampling, Step};
 use crate::input::{ReadyScene, SceneSource};
 use crate::metrics::{PIXELS_PER_DEGREE, flip, rmse};
 use crate::options::RenderOptions;
@@ -18,21 +19,8 @@ const REFERENCE_SAMPLES: u32 = 2;
 /// What is added to the seed for their numbers, so that no picture that is judged has the same: the reference must not know its noise.
 const REFERENCE_SEEDS: [u32; 2] = [1_000_001, 1_000_002];
 
-/// Zones along a pixel's edge, as a power of two, and how many pictures with different seeds are rendered so. Their errors are taken
-/// together and the least of their times counts, so that short ones are measured as well as long ones.
-const STEPS: [(u32, u32); 4] = [(0, 9), (1, 7), (2, 4), (3, 2)];
-
 /// Small buckets, so that all threads have work to the end of a small picture.
 const BUCKETS: u32 = 8;
-
-/// A way to choose samples.
-#[derive(Clone, Debug)]
-pub(crate) struct Sampling {
-    /// What it is called.
-    pub(crate) name: String,
-    /// Where samples fall.
-    pub(crate) sampler: Sampler,
-}
 
 /// What was measured of a scene.
 pub(crate) struct Study {
@@ -73,7 +61,8 @@ pub(crate) fn study(
     let mut curves = Vec::new();
     for sampling in samplings {
         let ready = ready(sampling.sampler)?;
-        let points = STEPS.iter().map(|&(aa, pictures)| measure(&ready, aa, pictures, &reference));
+        let settings = Settings { light_samples: sampling.light_samples, ..ready.settings.clone() };
+        let points = sampling.steps.iter().map(|&step| measure(&ready, &settings, step, &reference));
         curves.push(points.collect::<Result<Vec<_>, _>>()?);
         advance();
     }
@@ -85,7 +74,7 @@ fn small(settings: &Settings, width: u32, seed: u32) -> Settings {
     let [w, h] = settings.size;
     let height = (width * h + w / 2) / w;
     let buckets = Buckets { size: BUCKETS, ..settings.buckets };
-    Settings { size: [width, height.max(1)], buckets, seed, samples: 1, ..settings.clone() }
+    Settings { size: [width, height.max(1)], buckets, seed, allotment: Allotment::Even, ..settings.clone() }
 }
 
 /// What a picture is held against.
@@ -111,12 +100,11 @@ impl Reference {
 }
 
 /// A point of a curve.
-fn measure(ready: &ReadyScene, aa: u32, pictures: u32, reference: &Reference) -> Result<Point, Failure> {
+fn measure(ready: &ReadyScene, settings: &Settings, step: Step, reference: &Reference) -> Result<Point, Failure> {
     let mut seconds = f64::INFINITY;
     let (mut squares, mut flips, mut camera, mut rays) = (0.0, 0.0, 0, 0);
-    for number in 0..pictures {
-        let seed = ready.settings.seed.wrapping_add(number);
-        let settings = Settings { aa, seed, ..ready.settings.clone() };
+    for number in 0..step.pictures {
+        let settings = Settings { seed: settings.seed.wrapping_add(number), ..step.settings(settings) };
         let start = Instant::now();
         let film = picture(ready, &settings)?;
         seconds = start.elapsed().as_secs_f64().min(seconds);
@@ -126,8 +114,8 @@ fn measure(ready: &ReadyScene, aa: u32, pictures: u32, reference: &Reference) ->
         camera += film.rays.camera;
         rays += film.rays.total();
     }
-    let [width, height] = ready.settings.size.map(f64::from);
-    let pictures = f64::from(pictures);
+    let [width, height] = settings.size.map(f64::from);
+    let pictures = f64::from(step.pictures);
     Ok(Point {
         rays_per_pixel: camera as f64 / pictures / (width * height),
         rays: rays as f64 / pictures,
@@ -148,13 +136,14 @@ fn not_compared(error: impl std::fmt::Display) -> Failure {
 
 #[cfg(test)]
 mod tests {
+    use super::super::samplings::all;
     use super::*;
     use crate::scenes;
 
     fn studied(seed: u32) -> Study {
         let scene = scenes::find("glass-mirror").unwrap();
-        let samplings = [Sampling { name: "random".to_owned(), sampler: render::random }];
-        study(scene, 12, seed, Modules::default(), &samplings, &|| {}).unwrap()
+        let modules = Modules::default();
+        study(scene, 12, seed, modules, &all(&modules)[..1], &|| {}).unwrap()
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! What is read off the curves.
 
 use super::curve::{Measure, Point, cost_for, error_at, geometric_mean};
-use super::study::{Sampling, Study};
-use super::{BASE, BASE_POINT};
+use super::samplings::{BASE, BASE_STEP, Sampling};
+use super::study::Study;
 use crate::accuracy::figure::Part;
 use crate::table::Align;
 
@@ -96,7 +96,7 @@ fn others(samplings: &[Sampling]) -> impl Iterator<Item = (usize, &Sampling)> {
 }
 
 fn read(reading: &Reading, study: &Study, sampling: usize) -> Option<f64> {
-    (reading.read)(&study.curves[sampling], &study.curves[BASE][BASE_POINT])
+    (reading.read)(&study.curves[sampling], &study.curves[BASE][BASE_STEP])
 }
 
 fn headings(first: &[&str]) -> Vec<(String, Align)> {
@@ -123,7 +123,12 @@ mod tests {
 
     #[test]
     fn tables_show_what_a_sampling_is_worth() {
-        let sampling = |name: &str| Sampling { name: name.to_owned(), sampler: render::random };
+        let sampling = |name: &str| Sampling {
+            name: name.to_owned(),
+            sampler: render::random,
+            light_samples: render::LightSamples::All,
+            steps: Vec::new(),
+        };
         let samplings = [sampling("random"), sampling("good"), sampling("bad")];
         let curves = vec![curve(1.0, 0.1), curve(0.5, 0.2), curve(4.0, 0.1)];
         let study = Study { scene: "pyramid", size: [4, 3], reference_rays: 1024, reference_error: 0.0, curves };
