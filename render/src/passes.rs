@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 use std::sync::{
     Mutex, PoisonError,
-    atomic::{AtomicUsize, Ordering},
+    atomic::{AtomicBool, AtomicUsize, Ordering},
 };
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -57,6 +57,7 @@ impl<'a> Passes<'a> {
         let pixels = vec![T::default(); area.width as usize * area.height as usize];
         let empty = Pass { pixels, rays: RayCounts::default(), lost: LostRays::default() };
         let progress = Mutex::new((empty, 0));
+        let broken_off = AtomicBool::new(false);
 
         // Each thread takes the next bucket in the order until none is left.
         let work = || {
@@ -79,6 +80,7 @@ impl<'a> Passes<'a> {
                 let told =
                     FinishedBucket { area: bucket, pixels: &colors, finished: finished_before + *finished, total };
                 if (self.on_bucket)(&told).is_break() {
+                    broken_off.store(true, Ordering::Relaxed);
                     next.store(tiles, Ordering::Relaxed);
                 }
             }
@@ -88,8 +90,8 @@ impl<'a> Passes<'a> {
             None => work(),
         }
         self.done += 1;
-        let (pass, finished) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (finished == tiles).then_some(pass)
+        let (pass, _) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (!broken_off.into_inner()).then_some(pass)
     }
 }
 
