@@ -51,6 +51,11 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("accel/src/wide/triangles.rs", "1.0 / (1 << 120)", "what underflows in that filter"),
     ("accel/src/wide/morton.rs", "MIN_POSITIVE", "a scene without extent, which is not to be divided by"),
     ("shading/src/sunflow/ray_origin.rs", "0.001", "Sunflow's own epsilon, to be compared with its pictures"),
+    (
+        "cli/src/commands/parity.rs",
+        "0.005",
+        "the distance of rays beside a pixel's own, in pixels: how near an edge must pass",
+    ),
     ("scene-format/src/print/words.rs", "1e-5", "from where on a number is printed with an exponent"),
     (
         "scene-format/src/number.rs",
