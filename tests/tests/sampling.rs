@@ -28,9 +28,9 @@ fn film(assembled: &Assembled, settings: &Settings) -> Film {
     render(&assembled.scene, settings, &|_| ControlFlow::Continue(())).expect("nothing breaks it off")
 }
 
-/// 96 x 72 pixels of a scene in its own size.
+/// 64 x 48 pixels of a scene in its own size.
 fn part(assembled: &Assembled, [x, y]: [u32; 2], aa: u32, samples: u32) -> Settings {
-    let crop = Some(Crop { x, y, width: 96, height: 72 });
+    let crop = Some(Crop { x, y, width: 64, height: 48 });
     Settings { crop, aa, samples, ..assembled.settings.clone() }
 }
 
@@ -54,30 +54,34 @@ fn reference(assembled: &Assembled, settings: &Settings) -> Film {
     film(assembled, &settings)
 }
 
-#[test]
-fn half_the_rays_of_random_samples_are_enough_for_soft_shadows() {
-    // Random samples are the report's: every ray asks all of a cluster's lights.
-    let (usual, better) = (scene("shadows-soft", random), scene("shadows-soft", sobol));
-    let settings = |aa, light_samples| Settings { light_samples, ..part(&usual, [200, 300], aa, 1) };
-    let reference = reference(&better, &settings(4, LightSamples::Shared));
-    let (usual_error, usual_rays) = error_and_rays(&usual, &settings(2, LightSamples::All), &reference);
-    let (error, rays) = error_and_rays(&better, &settings(3, LightSamples::Shared), &reference);
-    println!("{rays} rays, {}; {usual_rays} random ones, {}", error.sqrt(), usual_error.sqrt());
-    assert!(2 * rays <= usual_rays && error <= usual_error);
+/// Half the rays, or fewer, must give no larger error.
+#[track_caller]
+fn assert_half_the_rays(name: &str, (error, rays): (f64, u64), (usual_error, usual_rays): (f64, u64)) {
+    // Not every ray meets something: the same settings take a few more or fewer. 1 % is allowed.
+    assert!(rays as f64 <= 0.505 * usual_rays as f64, "{name}: {rays} rays instead of {usual_rays}");
+    assert!(error <= usual_error, "{name}: an error of {} instead of {}", error.sqrt(), usual_error.sqrt());
 }
 
 #[test]
-fn half_the_rays_of_random_samples_are_enough_for_depth_of_field() {
+fn soft_shadows_need_less_than_half_the_rays_of_random_samples() {
+    // Random samples are the report's, 16 rays a pixel: every ray asks all of a cluster's lights. 128 rays that share them out are fewer.
+    let (usual, better) = (scene("shadows-soft", random), scene("shadows-soft", sobol));
+    let settings = |aa, samples, light_samples| Settings { light_samples, ..part(&usual, [200, 300], aa, samples) };
+    let reference = reference(&better, &settings(4, 4, LightSamples::Shared));
+    let usual = error_and_rays(&usual, &settings(2, 1, LightSamples::All), &reference);
+    let better = error_and_rays(&better, &settings(3, 2, LightSamples::Shared), &reference);
+    assert_half_the_rays("shadows-soft", better, usual);
+}
+
+#[test]
+fn depth_of_field_needs_less_than_half_the_rays_of_random_samples() {
     let (usual, better) = (scene("depth-of-field", random), scene("depth-of-field", sobol));
     let settings = |aa, samples| part(&usual, [150, 0], aa, samples);
     let reference = reference(&better, &settings(4, 4));
-    let (usual_error, usual_rays) = error_and_rays(&usual, &settings(2, 2), &reference);
-    let (error, rays) = error_and_rays(&better, &settings(2, 1), &reference);
-    println!("{rays} rays, {}; {usual_rays} random ones, {}", error.sqrt(), usual_error.sqrt());
-    let half = error_and_rays(&better, &settings(1, 2), &reference);
-    let full = error_and_rays(&usual, &settings(2, 1), &reference);
-    println!("{half:?}, {full:?}");
-    assert!(rays <= usual_rays / 2 + usual_rays / 100 && error <= usual_error);
+    // 32 rays a pixel, and 16.
+    let usual = error_and_rays(&usual, &settings(2, 2), &reference);
+    let better = error_and_rays(&better, &settings(2, 1), &reference);
+    assert_half_the_rays("depth-of-field", better, usual);
 }
 
 /// Adaptive rays, 4 to 64 a pixel, against 16 and 32 for every pixel: the errors of both, as powers of the number of rays, say how many of
@@ -92,7 +96,6 @@ fn assert_adaptive_saves_half(name: &str, place: [u32; 2]) {
     let (error, rays) = error_and_rays(&assembled, &adaptive, &reference);
     let power = (few.0 / many.0).ln() / (many.1 as f64 / few.1 as f64).ln();
     let needed = few.1 as f64 * (few.0 / error).powf(1.0 / power);
-    println!("{name}: {error}, {rays}, {few:?}, {many:?}: {}", rays as f64 / needed);
     assert!(rays as f64 <= 0.5 * needed, "{name}: {rays} rays do what {needed} do evenly");
 }
 
