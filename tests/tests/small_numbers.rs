@@ -57,10 +57,11 @@ const EXCEPTIONS: [(&str, &str, &str); 20] = [
 ];
 
 /// Folders whose numbers are their own business, and why.
-const FOLDERS: [(&str, &str); 4] = [
+const FOLDERS: [(&str, &str); 5] = [
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("cli/src/scenes", "shapes and colours of the built-in scenes"),
+    ("cli/src/accuracy", "how hard cases are, and the ends of diagrams' axes: nothing there is rendered with"),
     ("cli/src/metrics", "constants of published formulas for the differences of pictures"),
 ];
 
