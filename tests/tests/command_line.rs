@@ -296,3 +296,43 @@ fn ambient_light_where_sunflow_has_none_is_an_error_that_says_so() {
     succeed(&folder(), &["render", "tiny.sc", "--lighting", "sunflow", "-q"]);
     succeed(&folder(), &["render", "tiny.sc", "--ambient", "0.2", "-q"]);
 }
+
+#[test]
+fn accuracy_writes_a_page_and_the_same_numbers_for_programs() {
+    let folder = folder();
+    let ended = succeed(&folder, &["accuracy", "--quick", "-o", "page.html"]);
+    assert!(ended.stderr.contains("page.html"), "{}", ended.stderr);
+    let page = String::from_utf8(folder.read("page.html")).unwrap();
+    assert!(
+        page.starts_with("<!DOCTYPE html>") && page.contains("data:image/png;base64,") && !page.contains("<script")
+    );
+    let numbers = String::from_utf8(folder.read("page.json")).unwrap();
+    assert!(numbers.starts_with('{') && numbers.contains("\"p99.9\"") && numbers.ends_with("}\n"));
+}
+
+#[test]
+fn accuracy_turns_down_one_name_for_both_files_before_it_measures() {
+    let folder = folder();
+    let ended = folder.run(&["accuracy", "-o", "both.json"]);
+    assert_eq!(ended.code, Some(1), "{}", ended.stderr);
+    assert!(ended.stderr.contains("choose two names"), "{}", ended.stderr);
+    assert!(!folder.names().contains("both.json"));
+}
+
+#[test]
+fn naive_kernels_change_the_picture_of_a_hard_scene_one_by_one() {
+    let folder = folder();
+    let rendered = |name: &str, more: &[&str]| {
+        let size = ["render", "scales", "--size", "80x24", "--aa", "0", "-q", "-o", name];
+        succeed(&folder, &[&size, more].concat());
+        folder.read(name)
+    };
+    let robust = rendered("robust.bmp", &[]);
+    for kernel in ["sphere", "triangle", "box", "offset", "sphere,offset", "all"] {
+        assert_ne!(rendered("naive.bmp", &["--naive", kernel]), robust, "{kernel}");
+    }
+    // There is neither in the scene.
+    for kernel in ["plane", "ellipsoid"] {
+        assert_eq!(rendered("naive.bmp", &["--naive", kernel]), robust, "{kernel}");
+    }
+}

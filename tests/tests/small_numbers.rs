@@ -72,6 +72,7 @@ const FOLDERS: &[(&str, &str)] = &[
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
     ("cli/src/scenes", "shapes and colours of the built-in scenes"),
+    ("cli/src/accuracy", "how hard cases are, and the ends of diagrams' axes: nothing there is rendered with"),
     ("cli/src/metrics", "constants of published formulas for the differences of pictures"),
 ];
 
