@@ -20,7 +20,11 @@ mod traverse;
 use geometry::{Aabb, Hit, Interval, Primitives, Ray};
 use glam::Vec3;
 
-use crate::{Accelerator, Statistics, none::closest_of};
+use crate::{
+    Accelerator, Statistics,
+    none::{any_of_all, closest_of, closest_of_all},
+    ordinary::is_ordinary,
+};
 
 /// Builds the octree.
 pub fn octree(primitives: Primitives) -> Box<dyn Accelerator> {
@@ -71,6 +75,9 @@ impl Cell {
 
 impl Accelerator for Octree {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        if !is_ordinary(ray) {
+            return closest_of_all(&self.primitives, ray, within);
+        }
         let mut nearest: Option<Hit> = None;
         self.traverse(ray, within, &mut |references| {
             nearest = closest_of(&self.primitives, references.iter().copied(), ray, within, nearest);
@@ -80,9 +87,12 @@ impl Accelerator for Octree {
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
+        if !is_ordinary(ray) {
+            return any_of_all(&self.primitives, ray, within);
+        }
         let mut found = false;
         self.traverse(ray, within, &mut |references| {
-            found = references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
+            found |= references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
             if found { f32::NEG_INFINITY } else { within.max }
         });
         found

@@ -11,10 +11,7 @@ use super::{
     layout::{Block, Link, Linked, Mixed, Node},
     morton,
 };
-
-/// Primitives that reach further than this stand beside the tree, and are asked by every ray. Below, no product of three coordinates
-/// overflows, and the bounds argued for hold.
-const FARTHEST: f32 = (1_u64 << 36) as f32;
+use crate::ordinary::FARTHEST;
 
 struct Shapes<'a>(&'a Primitives);
 
@@ -24,14 +21,15 @@ impl Content for Shapes<'_> {
     }
 
     fn is_in_block(&self, primitive: u32) -> bool {
-        self.0.triangle(primitive).is_some()
+        // A kernel of someone else's may accept what the blocks' filter would leave out.
+        self.0.kernels().triangle.is_none() && self.0.triangle(primitive).is_some()
     }
 }
 
 pub(super) fn build(primitives: &Primitives) -> Tree {
     let fits = |&number: &u32| {
         let bounds = primitives.bounds(number);
-        // Written so that a NaN does not fit.
+        // What reaches further stands beside the tree. Written so that a NaN does not fit.
         bounds.min.min_element() > -FARTHEST && bounds.max.max_element() < FARTHEST
     };
     let (inside, beside): (Vec<u32>, Vec<u32>) = (0..primitives.len()).into_par_iter().partition(fits);
