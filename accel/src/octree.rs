@@ -41,6 +41,8 @@ struct Octree {
     /// The leaves' primitives, leaf by leaf, each in rising order.
     references: Vec<u32>,
     depth: usize,
+    /// What a ray that passes the root costs, in tests of a primitive.
+    cost: f32,
 }
 
 /// A cell's cube. Computed on the way down, by the same steps when building and when traversing.
@@ -100,12 +102,20 @@ impl Accelerator for Octree {
 
     fn statistics(&self) -> Statistics {
         let branches = self.nodes.iter().filter(|node| matches!(node, Node::Branch { .. })).count();
-        let leaves = self.nodes.iter().filter(|node| matches!(node, Node::Leaf { count: 1.., .. })).count();
+        let leaf_sizes = || {
+            self.nodes.iter().filter_map(|node| match node {
+                Node::Leaf { count: count @ 1.., .. } => Some(*count as usize),
+                _ => None,
+            })
+        };
+        let leaves = leaf_sizes().count();
         Statistics {
             branches,
             leaves,
             depth: self.depth,
             references: self.references.len(),
+            largest_leaf: leaf_sizes().max().unwrap_or(0),
+            cost: self.cost,
             bytes: size_of_val(&self.nodes[..]) + size_of_val(&self.references[..]),
         }
     }

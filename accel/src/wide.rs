@@ -125,6 +125,10 @@ struct Tree {
     magnitude: f32,
     /// Levels of nodes.
     depth: usize,
+    leaves: usize,
+    largest_leaf: usize,
+    /// What a ray that meets the root's box costs, in visits of a node.
+    cost: f32,
 }
 
 struct Wide<I, D> {
@@ -165,16 +169,19 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     }
 
     fn statistics(&self) -> Statistics {
-        let Tree { nodes, blocks, mixed, asked, depth, .. } = &self.tree;
+        let Tree { nodes, blocks, mixed, asked, beside, depth, leaves, largest_leaf, cost, .. } = &self.tree;
         Statistics {
             branches: nodes.len(),
-            leaves: blocks.len(),
+            leaves: *leaves,
             depth: *depth,
             references: self.primitives.len() as usize,
+            largest_leaf: *largest_leaf,
+            cost: *cost,
             bytes: size_of_val(&nodes[..])
                 + size_of_val(&blocks[..])
                 + size_of_val(&mixed[..])
-                + size_of_val(&asked[..]),
+                + size_of_val(&asked[..])
+                + size_of_val(&beside[..]),
         }
     }
 }

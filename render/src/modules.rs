@@ -89,7 +89,7 @@ impl Default for Modules {
             parse: scene_format::parse,
             kernels: Kernels::default(),
             ray_origin: Surface::origin_towards,
-            accelerator: accel::octree,
+            accelerator: accel::wide,
             shaders: Shaders::default(),
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,

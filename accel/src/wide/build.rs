@@ -47,6 +47,9 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
         beside,
         magnitude: bounds.magnitude(),
         depth: 0,
+        leaves: 0,
+        largest_leaf: 0,
+        cost: 0.0,
     };
     if inside.is_empty() {
         return tree;
@@ -54,6 +57,7 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
     let row = morton::in_morton_order(&inside, |number| primitives.bounds(number), bounds);
     drop(inside);
     let root = grow(&row, 0, &Shapes(primitives));
+    tree.cost = root.cost_of_a_ray();
     let row: Vec<u32> = row.into_iter().map(|coded| coded.primitive).collect();
     let mut layout = Layout { primitives, row: &row, tree: &mut tree, block_numbers: Vec::new() };
     match layout.link(Slot { cell: &root, union: WHOLE }, 0) {
@@ -129,7 +133,9 @@ impl Layout<'_> {
             &self.row[first..first + slot.cell.count as usize]
         });
         let content = Shapes(self.primitives);
+        self.tree.leaves += 1;
         let (triangles, asked): (Vec<u32>, Vec<u32>) = numbers.partition(|&&number| content.is_in_block(number));
+        self.tree.largest_leaf = self.tree.largest_leaf.max(triangles.len() + asked.len());
         let first_block = self.block_numbers.len() as u32;
         for chunk in triangles.chunks(8) {
             self.block_numbers.push(std::array::from_fn(|lane| chunk.get(lane).copied().unwrap_or(u32::MAX)));
