@@ -1,9 +1,12 @@
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::accuracy::instructions::KernelRun;
 use crate::options::{RenderOptions, parse_positive_seconds};
+use crate::scenes;
 
 /// Renders Sunflow .sc scenes: the ray tracer of a computer-graphics course.
 #[derive(Debug, Parser)]
@@ -23,7 +26,13 @@ pub(crate) enum Command {
     /// Render a scene to a picture.
     Render(RenderArguments),
     /// Read a scene and say everything that is wrong with it, without rendering.
-    Check(SceneArgument),
+    ///
+    /// Of a folder, a table of all .sc files in it and in the folders below: what there is to say about each, and whether it renders.
+    Check(CheckArguments),
+    /// Lay a scene's text out in one style, comments and all.
+    Fmt(FmtArguments),
+    /// Say more about a message by its code, with an example that is wrong and one that is right.
+    ExplainError(ExplainArguments),
     /// Show what a scene needs and what it will cost.
     Inspect(InspectArguments),
     /// List the built-in scenes, print one, or write it to a folder.
@@ -34,8 +43,8 @@ pub(crate) enum Command {
     Accuracy(AccuracyArguments),
     /// Hold scenes, lit as by Sunflow, against Sunflow's own pictures of them, and print a table of differences.
     ///
-    /// A scene fails if less than 99.5 % of its pixels are within 2 of 255 in every channel (6 where there are textures), or if a pixel is
-    /// off by more than 2 that no edge beside it explains; one with a lens if its RMSE is above 0.01.
+    /// A scene misses its target if less than 99.5 % of its pixels are within 2 of 255 in every channel, or if another one is off and no
+    /// edge passes within 1/50 of a pixel of its ray; one with a lens if its RMSE is above 0.01.
     Parity(ParityArguments),
     /// Print completions for a shell.
     ///
@@ -50,6 +59,45 @@ pub(crate) struct SceneArgument {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// A built-in scene, the path of a .sc file, or a folder of them.
+    pub(crate) scene: String,
+    /// How to say it: text for people, or one JSON object a line for tools, on stdout.
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: MessageFormat,
+    /// Fail if there is a warning.
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
+/// How messages are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MessageFormat {
+    /// For people, on stderr.
+    Text,
+    /// For tools, on stdout.
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FmtArguments {
+    /// A built-in scene, or the path of a .sc file; the text is printed.
+    pub(crate) scene: String,
+    /// Print nothing, and fail if the text is not laid out like this.
+    #[arg(long, conflicts_with = "write")]
+    pub(crate) check: bool,
+    /// Put the text in the file's place instead of printing it.
+    #[arg(short, long)]
+    pub(crate) write: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// The code that stands in brackets before a message, like SC107; all are listed without it.
+    pub(crate) code: Option<String>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct RenderArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArgument,
@@ -58,6 +106,13 @@ pub(crate) struct RenderArguments {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) options: RenderOptions,
+    /// Render nothing if there is a warning.
+    #[arg(long)]
+    pub(crate) strict: bool,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -114,12 +169,22 @@ pub(crate) struct AccuracyArguments {
     /// Choose other random cases. The same seed gives the same errors on every run; times vary.
     #[arg(long, value_name = "N", default_value = "0")]
     pub(crate) seed: u64,
+    /// The built-in scenes that image errors are measured with. [default: all of them]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = scene_names())]
+    pub(crate) scenes: Vec<String>,
     /// A tenth of the cases, in a few seconds: for a first look.
     #[arg(long)]
     pub(crate) quick: bool,
+    /// Run only this kernel, so often, and write nothing: for tools that count instructions.
+    #[arg(long, value_name = "PRIMITIVE,WHOSE,PASSES", hide = true)]
+    pub(crate) run_kernel: Option<KernelRun>,
     /// Show no progress.
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+fn scene_names() -> PossibleValuesParser {
+    scenes::all().iter().map(|scene| scene.name).into()
 }
 
 #[derive(Debug, Args)]

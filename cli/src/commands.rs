@@ -4,6 +4,8 @@ pub(crate) mod accuracy;
 pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod explain_error;
+pub(crate) mod fmt;
 pub(crate) mod inspect;
 pub(crate) mod parity;
 pub(crate) mod render;

@@ -32,6 +32,14 @@ pub(crate) struct ReadyScene {
     pub(crate) settings: Settings,
 }
 
+/// What came of putting a scene together.
+pub(crate) struct Examined {
+    /// All that is to be said about it, in the order of the source.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The scene, unless something keeps it from being put together.
+    pub(crate) assembled: Option<Assembled>,
+}
+
 impl SceneSource {
     /// A built-in scene's, or a file's.
     pub(crate) fn find(scene: &str) -> Result<Self, Failure> {
@@ -88,18 +96,12 @@ impl SceneSource {
     }
 
     /// Reads the text.
-    pub(crate) fn parse(&self, modules: &Modules) -> Parsed {
-        (modules.parse)(&self.label, &self.text, &*self.files)
+    pub(crate) fn parse(&self, modules: &Modules) -> Parsed<'_> {
+        (modules.parse)(&self.label, &self.text, &*self.files, &modules.limits)
     }
 
-    /// Puts the scene together, and shows what there is to say about it.
-    pub(crate) fn assemble(
-        &self,
-        parsed: &Parsed,
-        options: &RenderOptions,
-        modules: Modules,
-        show: Show,
-    ) -> Result<ReadyScene, Failure> {
+    /// Puts the scene together, if that can be done, and gathers what there is to say about it.
+    pub(crate) fn examine(&self, parsed: &Parsed<'_>, options: &RenderOptions, modules: Modules) -> Examined {
         let result =
             assemble(&parsed.scene, &options.modules(modules), &options.lighting(self.soft_shadows), &*self.files);
         let (assembled, of_assembling) = match result {
@@ -112,9 +114,20 @@ impl SceneSource {
         // What is said of the scene as a whole may only follow from what could not be read.
         let of_assembling =
             of_assembling.into_iter().filter(|said| said.span != Span::default() || !has_errors(&parsed.diagnostics));
-        let of_assembling: Vec<_> = of_assembling.collect();
-        let mut diagnostics = [&parsed.diagnostics[..], &of_assembling].concat();
+        let mut diagnostics: Vec<_> = parsed.diagnostics.iter().cloned().chain(of_assembling).collect();
         diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
+        Examined { diagnostics, assembled }
+    }
+
+    /// Puts the scene together, and shows what there is to say about it.
+    pub(crate) fn assemble(
+        &self,
+        parsed: &Parsed<'_>,
+        options: &RenderOptions,
+        modules: Modules,
+        show: Show,
+    ) -> Result<ReadyScene, Failure> {
+        let Examined { diagnostics, assembled } = self.examine(parsed, options, modules);
         report::diagnostics(&diagnostics, &parsed.sources, show);
         match assembled {
             Some(assembled) if !has_errors(&diagnostics) => {
@@ -125,13 +138,18 @@ impl SceneSource {
         }
     }
 
+    /// Its text.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// What messages call it.
     pub(crate) fn label(&self) -> &str {
         &self.label
     }
 }
 
-fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+pub(crate) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 

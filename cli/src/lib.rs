@@ -35,6 +35,8 @@ pub fn run(modules: Modules) -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Render(arguments) => commands::render::run(&arguments, modules),
         Command::Check(arguments) => commands::check::run(&arguments, modules),
+        Command::Fmt(arguments) => commands::fmt::run(&arguments),
+        Command::ExplainError(arguments) => commands::explain_error::run(&arguments),
         Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),

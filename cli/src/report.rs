@@ -34,6 +34,44 @@ impl Failure {
     }
 }
 
+/// A diagnostic as one JSON object, for tools: places count from 1, columns in characters.
+pub(crate) fn json(diagnostic: &Diagnostic, sources: &Sources<'_>) -> String {
+    let place = |span: Span| {
+        let (start, end) = (sources.line_column(span), sources.line_column(Span { start: span.end, ..span }));
+        serde_json::json!({
+            "file": sources.files.get(span.file as usize).map(|source| &source.name),
+            "line": start.line,
+            "column": start.column,
+            "end": { "line": end.line, "column": end.column },
+        })
+    };
+    let mut object = serde_json::json!({
+        "severity": diagnostic.severity.to_string(),
+        "code": diagnostic.code.as_str(),
+        "message": diagnostic.message,
+        "label": diagnostic.label,
+        "help": diagnostic.help,
+        "notes": diagnostic.notes.iter().map(|(span, words)| {
+            let mut note = place(*span);
+            note["message"] = words.as_str().into();
+            note
+        }).collect::<Vec<_>>(),
+        "included": sources.included_at(diagnostic.span.file).map(place).collect::<Vec<_>>(),
+    });
+    if let (serde_json::Value::Object(object), serde_json::Value::Object(mut at)) =
+        (&mut object, place(diagnostic.span))
+    {
+        object.append(&mut at);
+    }
+    object.to_string()
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
 /// Which diagnostics to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Show {
@@ -62,7 +100,7 @@ pub(crate) fn warning(message: &str, help: &str) {
 }
 
 /// Shows what there is to say about a scene.
-pub(crate) fn diagnostics(diagnostics: &[Diagnostic], sources: &Sources, show: Show) {
+pub(crate) fn diagnostics(diagnostics: &[Diagnostic], sources: &Sources<'_>, show: Show) {
     let is_error = |diagnostic: &&Diagnostic| diagnostic.severity == Severity::Error;
     let warnings = diagnostics.iter().filter(|diagnostic| !is_error(diagnostic));
     let shown = match show {
@@ -78,6 +116,16 @@ pub(crate) fn diagnostics(diagnostics: &[Diagnostic], sources: &Sources, show: S
     if show == Show::BeforeRendering && left_out > 0 {
         line(format!("... and {left_out} more warnings; `girasol check` shows them all"));
     }
+}
+
+/// Fails if there is a warning among what was said about a scene.
+pub(crate) fn refuse_warnings(label: &str, read: &[Diagnostic], assembled: &[Diagnostic]) -> Result<(), Failure> {
+    let diagnostics = [read, assembled].concat();
+    if diagnostics.is_empty() {
+        return Ok(());
+    }
+    let failure = Failure::new(format!("`{label}` has {}", counted(&diagnostics)));
+    Err(failure.help("without `--strict` it would be rendered all the same"))
 }
 
 /// "2 errors and 1 warning", for sentences.
@@ -101,16 +149,22 @@ fn renderer() -> Renderer {
     if std::io::stderr().is_terminal() && !colourless { Renderer::styled() } else { Renderer::plain() }
 }
 
-fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> String {
+fn rendered(diagnostic: &Diagnostic, sources: &Sources<'_>, renderer: &Renderer) -> String {
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let mut group: Group<'_> = level.primary_title(&diagnostic.message).elements(None::<Snippet<'_, Annotation<'_>>>);
+    let title = level.primary_title(&diagnostic.message).id(diagnostic.code.as_str());
+    let mut group: Group<'_> = title.elements(None::<Snippet<'_, Annotation<'_>>>);
     group = with_snippet(group, sources, diagnostic.span, &diagnostic.label, AnnotationKind::Primary);
     for (span, words) in &diagnostic.notes {
         group = group.element(Level::NOTE.message(words));
         group = with_snippet(group, sources, *span, "", AnnotationKind::Context);
+    }
+    for span in sources.included_at(diagnostic.span.file) {
+        let place = sources.line_column(span);
+        let name = sources.files.get(span.file as usize).map_or("", |source| &source.name);
+        group = group.element(Level::NOTE.message(format!("included by {name}:{}:{}", place.line, place.column)));
     }
     if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(help));
@@ -122,7 +176,7 @@ fn rendered(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -> 
 /// long line only a part.
 fn with_snippet<'a>(
     group: Group<'a>,
-    sources: &'a Sources,
+    sources: &'a Sources<'_>,
     span: Span,
     label: &'a str,
     kind: AnnotationKind,

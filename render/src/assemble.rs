@@ -6,13 +6,14 @@ mod lights;
 mod objects;
 mod placement;
 mod shaders;
+mod spectrum;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use accel::Accelerator;
 use geometry::{Plane, Primitives};
 use scene_format::{
-    Diagnostic, Files, SceneFile, SearchPath, Severity, Span, Spanned,
+    Code, Diagnostic, Files, SceneFile, SearchPath, Severity, Span, Spanned,
     scene_file::{self, Shape, Statement},
 };
 use shading::{Bounces, Color, PointLight, SoftShadows};
@@ -141,7 +142,14 @@ impl<'a> Parts<'a> {
                 | Statement::Bucket(_)
                 | Statement::TexturePath(_)
                 | Statement::IncludePath(_)
-                | Statement::Other(_) => {}
+                | Statement::Modifier { .. }
+                | Statement::Gi(_)
+                | Statement::Photons(_)
+                | Statement::LightServer(_)
+                | Statement::Override { .. }
+                | Statement::Accelerator(_)
+                | Statement::Filter { .. }
+                | Statement::Unknown(_) => {}
             }
         }
     }
@@ -152,11 +160,11 @@ impl<'a> Parts<'a> {
     }
 
     fn set_depths(&mut self, depths: scene_file::TraceDepths, span: Span) {
-        let reflections = depths.reflection.unwrap_or(self.bounces.reflections);
-        let refractions = depths.refraction.unwrap_or(self.bounces.refractions);
+        let reflections = depths.reflection.map_or(self.bounces.reflections, |depth| depth.value);
+        let refractions = depths.refraction.map_or(self.bounces.refractions, |depth| depth.value);
         if reflections.max(refractions) > MOST_BOUNCES {
             self.diagnostics.push(
-                Diagnostic::warning(span, format!("rays bounce at most {MOST_BOUNCES} times"))
+                Diagnostic::warning(Code::TooManyBounces, span, format!("rays bounce at most {MOST_BOUNCES} times"))
                     .label(format!("{} times are asked for", reflections.max(refractions)))
                     .help("a few are enough: 4 are the default"),
             );
@@ -166,7 +174,8 @@ impl<'a> Parts<'a> {
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {
         match camera::camera(camera) {
-            Ok(camera) => self.camera = Some(camera),
+            Ok(None) => {}
+            Ok(camera) => self.camera = camera,
             Err(diagnostic) => self.diagnostics.push(diagnostic),
         }
     }
@@ -176,7 +185,7 @@ impl<'a> Parts<'a> {
         let failed = self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
         if self.camera.is_none() && !failed {
             self.diagnostics.push(
-                Diagnostic::error(Span::default(), "the scene has no camera")
+                Diagnostic::error(Code::NoCamera, Span::default(), "the scene has no camera")
                     .label("nothing here says where it is seen from")
                     .help(
                         "add a camera: camera { type pinhole eye 0 -10 5 target 0 0 0 up 0 0 1 fov 60 aspect 1.333 }",

@@ -2,13 +2,13 @@ use std::sync::Arc;
 
 use accel::Accelerator;
 use geometry::{Kernels, Primitives, RayOrigin, Surface};
-use scene_format::{Files, Parsed, scene_file::BucketOrder};
+use scene_format::{Files, Limits, Parsed, scene_file::BucketOrder};
 use shading::{
     Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
     sunflow,
 };
 
-use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
+use crate::{Dialect, Sampler, Tile, bucket_order, centred, sobol};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -18,8 +18,10 @@ use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Modules {
-    /// Reads a scene: its name for messages, its text, and what gives it its includes.
-    pub parse: fn(&str, &str, &dyn Files) -> Parsed,
+    /// Reads a scene: its name for messages, its text, what gives it its includes, and the limits.
+    pub parse: for<'s> fn(&str, &'s str, &dyn Files, &Limits) -> Parsed<'s>,
+    /// How much a scene may ask for.
+    pub limits: Limits,
     /// How rays meet each kind of primitive.
     pub kernels: Kernels,
     /// Where shadow rays and mirrored and refracted rays start.
@@ -86,7 +88,8 @@ impl Shaders {
 impl Default for Modules {
     fn default() -> Self {
         Self {
-            parse: scene_format::parse,
+            parse: scene_format::parse_within,
+            limits: Limits::default(),
             kernels: Kernels::default(),
             ray_origin: Surface::origin_towards,
             accelerator: accel::wide,
@@ -94,7 +97,7 @@ impl Default for Modules {
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
-            sampler: random,
+            sampler: sobol,
             bucket_order,
             dialect: Dialect::default(),
         }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::code::Code;
 use crate::span::Span;
 
 /// How bad it is.
@@ -27,6 +28,8 @@ impl fmt::Display for Severity {
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
+    /// What kind of problem it is.
+    pub code: Code,
     /// What is wrong, in one sentence without a full stop.
     pub message: String,
     /// Where.
@@ -41,17 +44,17 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// An error at a place.
-    pub fn error(span: Span, message: impl Into<String>) -> Self {
-        Self::new(Severity::Error, span, message.into())
+    pub fn error(code: Code, span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Error, code, span, message.into())
     }
 
     /// A warning at a place.
-    pub fn warning(span: Span, message: impl Into<String>) -> Self {
-        Self::new(Severity::Warning, span, message.into())
+    pub fn warning(code: Code, span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Warning, code, span, message.into())
     }
 
-    fn new(severity: Severity, span: Span, message: String) -> Self {
-        Self { severity, message, span, label: String::new(), notes: Vec::new(), help: None }
+    fn new(severity: Severity, code: Code, span: Span, message: String) -> Self {
+        Self { severity, code, message, span, label: String::new(), notes: Vec::new(), help: None }
     }
 
     /// With words under the underlined place.

@@ -5,6 +5,7 @@
 //! here a brace that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces,
 //! and `/*word` begins a comment that ends with the next `*/` of any kind.
 
+use crate::number::Number;
 use crate::span::{FileId, Span};
 
 /// One word of the source: a brace, a keyword, a number, a name.
@@ -26,6 +27,14 @@ impl Token<'_> {
     }
 }
 
+/// What a source is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Piece<'s> {
+    Word(Token<'s>),
+    /// With the marks that begin and end it.
+    Comment(Token<'s>),
+}
+
 /// The rest of a source that is still to be cut. A copy of it can run ahead.
 #[derive(Clone, Debug)]
 pub(crate) struct Lexer<'s> {
@@ -45,15 +54,38 @@ impl<'s> Lexer<'s> {
     /// The next word outside comments.
     pub(crate) fn next(&mut self) -> Option<Token<'s>> {
         loop {
-            let (token, quoted) = self.word()?;
-            if quoted || !token.text.starts_with("/*") {
-                return Some(token);
-            }
-            let closed = if token.text == "/*" { self.skip_comment() } else { self.skip_glued_comment(token.span) };
-            if !closed {
-                self.unclosed_comment = Some(Span { end: token.span.start + 2, ..token.span });
+            if let Piece::Word(word) = self.piece()? {
+                return Some(word);
             }
         }
+    }
+
+    /// The next word or comment.
+    pub(crate) fn piece(&mut self) -> Option<Piece<'s>> {
+        self.skip_blanks();
+        let start = self.position;
+        match self.byte(start)? {
+            b'%' | b'#' => {
+                self.position = self.find(start, ends_line);
+                return Some(Piece::Comment(self.token(start)));
+            }
+            b'"' => return Some(Piece::Word(self.quoted())),
+            _ => {}
+        }
+        let word = self.bare();
+        if !word.text.starts_with("/*") {
+            return Some(Piece::Word(word));
+        }
+        let closed = if word.text == "/*" { self.skip_comment() } else { self.skip_glued_comment(word.span) };
+        if !closed {
+            self.unclosed_comment = Some(Span { end: word.span.start + 2, ..word.span });
+        }
+        Some(Piece::Comment(self.token(start)))
+    }
+
+    /// All from a byte up to here.
+    fn token(&self, start: usize) -> Token<'s> {
+        Token { text: self.text(start, self.position), span: self.span(start, self.position) }
     }
 
     /// Where a comment begins that nothing closes; known once the last word was read.
@@ -77,23 +109,36 @@ impl<'s> Lexer<'s> {
     }
 
     /// The rest of this line, uncut: for program text that stands in a scene.
-    pub(crate) fn line(&mut self) -> Option<&'s str> {
+    pub(crate) fn line(&mut self) -> Option<Token<'s>> {
         let rest = self.source.get(self.position..).filter(|rest| !rest.is_empty())?;
         let line = rest.split_inclusive('\n').next()?;
+        let start = self.position;
         self.position += line.len();
-        Some(line.trim_end_matches(['\n', '\r']))
+        let text = line.trim_end_matches(['\n', '\r']);
+        Some(Token { text, span: self.span(start, start + text.len()) })
     }
 
-    /// The next word, comments not yet taken out; and whether it stood in quotes.
-    fn word(&mut self) -> Option<(Token<'s>, bool)> {
-        loop {
-            self.skip_blanks();
-            match self.byte(self.position)? {
-                b'%' | b'#' => self.position = self.find(self.position, ends_line),
-                b'"' => return Some((self.quoted(), true)),
-                _ => return Some((self.bare(), false)),
+    /// Reads plain numbers from a byte of the source on into the places given: how many, and where the last one stands. Stops
+    /// before anything else, and before a number that needs a closer look.
+    pub(crate) fn numbers<T: Number>(&mut self, from: u32, numbers: &mut [T]) -> (usize, Option<Span>) {
+        let bytes = self.source.as_bytes();
+        let (mut at, mut last) = (from as usize, None);
+        let mut count = 0;
+        for place in numbers {
+            while let Some(b' ' | b'\n' | b'\t' | b'\r') = bytes.get(at) {
+                at += 1;
             }
+            let Some((number, end)) = T::scan(bytes, at) else { break };
+            let (Some(b' ' | b'\n' | b'\t' | b'\r') | None) = bytes.get(end) else { break };
+            *place = number;
+            last = Some((at, end));
+            at = end;
+            count += 1;
         }
+        if let Some((_, end)) = last {
+            self.position = end;
+        }
+        (count, last.map(|(start, end)| self.span(start, end)))
     }
 
     /// A word in quotes. It ends with its line at the latest; there are no escapes.
@@ -137,12 +182,23 @@ impl<'s> Lexer<'s> {
     /// Skips to behind the `*/` that closes a comment; whether there is one.
     fn skip_comment(&mut self) -> bool {
         // Within a comment, words are cut as outside: a `*/` behind a `%` does not count.
-        while let Some((token, _)) = self.word() {
-            if token.text == "*/" {
-                return true;
+        loop {
+            self.skip_blanks();
+            match self.byte(self.position) {
+                None => return false,
+                Some(b'%' | b'#') => self.position = self.find(self.position, ends_line),
+                Some(b'"') => {
+                    if self.quoted().text == "*/" {
+                        return true;
+                    }
+                }
+                Some(_) => {
+                    if self.bare().text == "*/" {
+                        return true;
+                    }
+                }
             }
         }
-        false
     }
 
     /// Skips to behind the next `*/` after a `/*` that is glued to a word; whether there is one.
@@ -286,8 +342,7 @@ mod tests {
     #[test]
     fn a_line_is_handed_out_uncut() {
         let mut lexer = Lexer::new("x % \"y\r\nz", 0);
-        assert_eq!(lexer.line(), Some("x % \"y"));
-        assert_eq!(lexer.line(), Some("z"));
-        assert_eq!(lexer.line(), None);
+        let lines: Vec<&str> = std::iter::from_fn(|| lexer.line()).map(|line| line.text).collect();
+        assert_eq!(lines, ["x % \"y", "z"]);
     }
 }

@@ -7,57 +7,104 @@ mod block;
 mod camera;
 mod color;
 mod cursor;
+mod curved;
 mod image;
 mod include;
 mod instance;
 mod keywords;
+mod layout;
 mod light;
 mod mesh;
 mod names;
 mod object;
-mod other;
 mod report;
 mod shader;
 mod shape;
+mod statement;
 mod transform;
+mod unknown;
+mod unrendered;
 mod value;
 
+use std::borrow::Cow;
+
+use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::files::Files;
+use crate::files::{Files, NoFiles};
 use crate::lexer::Token;
 use crate::scene_file::{SceneFile, Statement};
 use crate::span::{Source, Sources, Span, Spanned};
-use crate::{Parsed, SearchPath};
+use crate::{Limits, Parsed, SearchPath};
 use cursor::Cursor;
+pub(crate) use layout::{Mark, Marks};
 use report::{Read, Reported};
 
 /// Reads a scene, and through `files` what it includes.
 ///
 /// `name` is what messages call it; its last part is the scene's own path, which no include may lead back to. Everything
 /// that is wrong is told in one run. What could not be read is left out of the scene, so a scene with errors is not whole.
-pub fn parse(name: &str, source: &str, files: &dyn Files) -> Parsed {
-    let mut context = Context::default();
+pub fn parse<'s>(name: &str, source: &'s str, files: &dyn Files) -> Parsed<'s> {
+    parse_within(name, source, files, &Limits::default())
+}
+
+/// Reads a scene as [`parse`] does, with other limits than the usual ones.
+pub fn parse_within<'s>(name: &str, source: &'s str, files: &dyn Files, limits: &Limits) -> Parsed<'s> {
+    let mut context = Context::new(limits);
     let path = name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
     context.include_path.add_directory_of("");
     context.open_files.push(path.clone());
-    context.sources.files.push(Source { name: name.to_owned(), text: source.to_owned(), included_at: None });
+    context.sources.files.push(Source { name: name.to_owned(), text: Cow::Borrowed(""), included_at: None });
     let scene = if u32::try_from(source.len()).is_err() {
-        context.report(Diagnostic::error(Span::default(), "the file is larger than 4 GiB"));
+        context.report(Diagnostic::error(Code::OverLimit, Span::default(), "the file is larger than 4 GiB"));
         SceneFile::default()
     } else {
-        let mut parser =
-            Parser { cursor: Cursor::new(source, 0), path: &path, files, context: &mut context, unbalanced: false };
+        let mut parser = Parser {
+            cursor: Cursor::new(source, 0),
+            path: &path,
+            files,
+            context: &mut context,
+            unbalanced: false,
+            follows_includes: true,
+        };
         parser.scene_file(Severity::Error)
     };
+    let mut sources: Sources<'s> = context.sources;
+    if let Some(scene_file) = sources.files.first_mut() {
+        scene_file.text = Cow::Borrowed(source);
+    }
     let mut diagnostics = context.diagnostics;
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
-    Parsed { scene, diagnostics, sources: context.sources }
+    Parsed { scene, diagnostics, sources }
+}
+
+/// What a scene file consists of, for whoever lays it out anew; its includes are not looked at. An error means that it cannot be
+/// known.
+pub(crate) fn marks_of(source: &str) -> Result<Marks, Diagnostic> {
+    let limits = Limits::default();
+    let mut context = Context { marks: Some(Vec::new()), ..Context::new(&limits) };
+    let mut parser = Parser {
+        cursor: Cursor::new(source, 0),
+        path: "",
+        files: &NoFiles,
+        context: &mut context,
+        unbalanced: false,
+        follows_includes: false,
+    };
+    parser.scene_file(Severity::Warning);
+    let mut marks = context.marks.unwrap_or_default();
+    marks.sort_by_key(|(place, _)| *place);
+    match context.diagnostics.into_iter().find(|diagnostic| diagnostic.severity == Severity::Error) {
+        Some(error) => Err(error),
+        None => Ok(marks),
+    }
 }
 
 /// What the scene file and all its includes share.
-#[derive(Default)]
 struct Context {
-    sources: Sources,
+    limits: Limits,
+    marks: Option<Marks>,
+    /// The scene file's own text is put in at the end.
+    sources: Sources<'static>,
     diagnostics: Vec<Diagnostic>,
     /// How many of the diagnostics are errors: a block compares it before and after.
     errors: usize,
@@ -69,6 +116,22 @@ struct Context {
     included_bytes: usize,
 }
 
+impl Context {
+    fn new(limits: &Limits) -> Self {
+        Self {
+            limits: *limits,
+            marks: None,
+            sources: Sources::default(),
+            diagnostics: Vec::new(),
+            errors: 0,
+            names: names::Names::default(),
+            include_path: SearchPath::new(),
+            open_files: Vec::new(),
+            included_bytes: 0,
+        }
+    }
+}
+
 /// Reads one file.
 struct Parser<'s> {
     cursor: Cursor<'s>,
@@ -78,6 +141,7 @@ struct Parser<'s> {
     context: &'s mut Context,
     /// Whether an unknown block was found that nothing closes: the braces of this file cannot be relied on.
     unbalanced: bool,
+    follows_includes: bool,
 }
 
 impl<'s> Parser<'s> {
@@ -87,6 +151,7 @@ impl<'s> Parser<'s> {
         let mut empty = true;
         while let Some(keyword) = self.cursor.next() {
             empty = false;
+            self.mark(keyword, Mark::Statement);
             match self.statement(keyword) {
                 Ok(Some(statement)) => {
                     scene.statements.push(Spanned::new(statement, keyword.span.to(self.cursor.previous())));
@@ -96,7 +161,7 @@ impl<'s> Parser<'s> {
             }
         }
         if let Some(comment) = self.cursor.unclosed_comment() {
-            let warning = Diagnostic::warning(comment, "this comment is never closed")
+            let warning = Diagnostic::warning(Code::UnclosedComment, comment, "this comment is never closed")
                 .label("takes the rest of the file")
                 .help("end it with `*/`, with white space on both sides");
             self.context.report(warning);
@@ -104,8 +169,8 @@ impl<'s> Parser<'s> {
         if empty {
             let message = "the file has no statement";
             self.context.report(match if_empty {
-                Severity::Error => Diagnostic::error(self.cursor.here(), message),
-                Severity::Warning => Diagnostic::warning(self.cursor.here(), message),
+                Severity::Error => Diagnostic::error(Code::EmptyFile, self.cursor.here(), message),
+                Severity::Warning => Diagnostic::warning(Code::EmptyFile, self.cursor.here(), message),
             });
         }
         scene
@@ -130,16 +195,17 @@ impl<'s> Parser<'s> {
                 self.stray_brace(keyword);
                 return Ok(None);
             }
-            _ => Statement::Other(self.other_statement(keyword)?),
+            _ => self.unrendered_statement(keyword)?,
         };
         Ok(Some(statement))
     }
 
     fn stray_brace(&mut self, brace: Token<'_>) {
         let label = if brace.is_open() { "no statement stands before it" } else { "no block is open here" };
-        let warning = Diagnostic::warning(brace.span, format!("`{}` stands between statements", brace.text))
-            .label(label)
-            .help("remove it, or look for a brace too many or too few before it");
+        let warning =
+            Diagnostic::warning(Code::StrayBrace, brace.span, format!("`{}` stands between statements", brace.text))
+                .label(label)
+                .help("remove it, or look for a brace too many or too few before it");
         self.context.report(warning);
         self.cursor.forget_depth();
     }

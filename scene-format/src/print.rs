@@ -1,10 +1,12 @@
 //! Writes a scene as `.sc` text.
 
+mod light;
 mod object;
 mod shader;
+mod unrendered;
 mod words;
 
-use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, LightKind, TraceDepths};
+use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, TraceDepths, View};
 use crate::scene_file::{SceneFile, Statement};
 use words::{Writer, color, floats, number, quote};
 
@@ -23,87 +25,113 @@ pub fn print(scene: &SceneFile) -> String {
 fn write_statement(writer: &mut Writer, statement: &Statement) {
     match statement {
         Statement::Image(image) => write_image(writer, image),
-        Statement::Bucket(bucket) => writer.line(&format!("bucket {} {}", bucket.size, order(*bucket))),
-        Statement::TraceDepths(depths) => write_trace_depths(writer, *depths),
+        Statement::Bucket(bucket) => writer.line(&format!("bucket {} {}", bucket.size.value, order(bucket))),
+        Statement::TraceDepths(depths) => write_trace_depths(writer, depths),
         Statement::Background(background) => {
-            writer.block("background", |writer| writer.line(&format!("color {}", color(*background))));
+            writer.block("background", |writer| writer.line(&format!("color {}", color(background))));
         }
         Statement::Camera(camera) => write_camera(writer, camera),
         Statement::Shader(shader) => shader::write_shader(writer, shader),
         Statement::Object(object) => object::write_object(writer, object),
         Statement::Instance(instance) => object::write_instance(writer, instance),
-        Statement::Light(light) => write_light(writer, &light.kind),
-        Statement::TexturePath(directory) => writer.line(&format!("texturepath {}", quote(&directory.value))),
-        Statement::IncludePath(directory) => writer.line(&format!("includepath {}", quote(&directory.value))),
-        Statement::Include { path, .. } => writer.line(&format!("include {}", quote(&path.value))),
-        Statement::Other(other) => writer.words(&quote(&other.keyword.value), &other.words),
+        Statement::Light(light) => light::write_light(writer, light),
+        Statement::Modifier { name, kind } => writer.block("modifier", |writer| {
+            writer.line(&format!("name {}", quote(name)));
+            unrendered::write_kind(writer, kind);
+        }),
+        Statement::Gi(kind) => writer.block("gi", |writer| unrendered::write_kind(writer, kind)),
+        Statement::Photons(block) | Statement::LightServer(block) => {
+            writer.block(&block.kind, |writer| unrendered::write_fields(writer, &block.fields));
+        }
+        Statement::Override { shader, photons } => {
+            writer.line(&format!("override {} {}", quote(shader), photons.value));
+        }
+        Statement::Accelerator(name) => writer.line(&format!("accel {}", quote(name))),
+        Statement::Filter { name, size } => {
+            let size = size.map_or_else(String::new, |size| format!(" {}", floats(&*size)));
+            writer.line(&format!("filter {}{size}", quote(name)));
+        }
+        Statement::TexturePath(directory) => writer.line(&format!("texturepath {}", quote(directory))),
+        Statement::IncludePath(directory) => writer.line(&format!("includepath {}", quote(directory))),
+        Statement::Include { path, .. } => writer.line(&format!("include {}", quote(path))),
+        Statement::Unknown(unknown) => writer.words(&quote(&unknown.keyword), &unknown.words),
     }
 }
 
 fn write_image(writer: &mut Writer, image: &Image) {
     writer.block("image", |writer| {
-        writer.field("resolution", image.resolution.map(|[width, height]| format!("{width} {height}")));
-        writer.field("sampler", image.sampler.as_deref().map(quote));
-        writer.field("aa", image.aa.map(|[min, max]| format!("{min} {max}")));
-        writer.field("samples", image.samples);
-        writer.field("contrast", image.contrast.map(number));
-        writer.field("filter", image.filter.as_deref().map(quote));
-        writer.field("jitter", image.jitter);
+        writer.field("resolution", image.resolution.map(|size| format!("{} {}", size[0], size[1])));
+        writer.field("sampler", image.sampler.as_ref().map(|name| quote(name)));
+        writer.field("aa", image.aa.map(|aa| format!("{} {}", aa[0], aa[1])));
+        writer.field("samples", image.samples.map(|samples| samples.value));
+        writer.field("contrast", image.contrast.map(|contrast| number(contrast.value)));
+        writer.field("filter", image.filter.as_ref().map(|name| quote(name)));
+        writer.field("jitter", image.jitter.map(|jitter| jitter.value));
+        writer.field("show-aa", image.show_aa.map(|show| show.value));
+        writer.field("cache", image.cache.map(|cache| cache.value));
+        writer.field("output", image.output.as_ref().map(|name| quote(name)));
     });
 }
 
-fn order(bucket: Bucket) -> String {
+fn order(bucket: &Bucket) -> String {
     let name = bucket.order.name();
     if bucket.reversed { format!("\"reverse {name}\"") } else { name.to_owned() }
 }
 
-fn write_trace_depths(writer: &mut Writer, depths: TraceDepths) {
+fn write_trace_depths(writer: &mut Writer, depths: &TraceDepths) {
     writer.block("trace-depths", |writer| {
-        writer.field("diff", depths.diffuse);
-        writer.field("refl", depths.reflection);
-        writer.field("refr", depths.refraction);
+        writer.field("diff", depths.diffuse.map(|depth| depth.value));
+        writer.field("refl", depths.reflection.map(|depth| depth.value));
+        writer.field("refr", depths.refraction.map(|depth| depth.value));
     });
 }
 
 fn write_camera(writer: &mut Writer, camera: &Camera) {
     writer.block("camera", |writer| {
-        writer.line(match camera.lens {
-            Lens::Pinhole => "type pinhole",
+        writer.line(match *camera.lens {
+            Lens::Pinhole(_) => "type pinhole",
             Lens::Thin { .. } => "type thinlens",
+            Lens::Spherical => "type spherical",
+            Lens::Fisheye => "type fisheye",
         });
-        match &camera.placement {
-            CameraPlacement::LookAt { eye, target, up, .. } => {
-                writer.field("eye", Some(floats(eye)));
-                writer.field("target", Some(floats(target)));
-                writer.field("up", Some(floats(up)));
+        writer.field("shutter", camera.shutter.map(|times| floats(&*times)));
+        write_placement(writer, &camera.placement);
+        match &*camera.lens {
+            Lens::Pinhole(view) => write_view(writer, view),
+            Lens::Thin { view, focus_distance, radius, sides, rotation } => {
+                write_view(writer, view);
+                writer.field("fdist", Some(number(focus_distance.value)));
+                writer.field("lensr", Some(number(radius.value)));
+                writer.field("sides", sides.map(|sides| sides.value));
+                writer.field("rotation", rotation.map(|rotation| number(rotation.value)));
             }
-            CameraPlacement::Transform(transform) => object::write_transform(writer, &transform.value),
-        }
-        writer.field("fov", Some(number(camera.fov.value)));
-        writer.field("aspect", Some(number(camera.aspect.value)));
-        writer.field("shift", camera.shift.map(|shift| floats(&shift)));
-        if let Lens::Thin { focus_distance, radius, sides, rotation } = camera.lens {
-            writer.field("fdist", Some(number(focus_distance)));
-            writer.field("lensr", Some(number(radius)));
-            writer.field("sides", sides);
-            writer.field("rotation", rotation.map(number));
+            Lens::Spherical | Lens::Fisheye => {}
         }
     });
 }
 
-fn write_light(writer: &mut Writer, light: &LightKind) {
-    writer.block("light", |writer| match light {
-        LightKind::Point { color: tint, power, position } => {
-            writer.line("type point");
-            match power {
-                Some(power) => {
-                    writer.field("color", Some(color(*tint)));
-                    writer.field("power", Some(number(*power)));
-                }
-                None => writer.field("power", Some(color(*tint))),
-            }
-            writer.field("p", Some(floats(position)));
+fn write_placement(writer: &mut Writer, placement: &CameraPlacement) {
+    match placement {
+        CameraPlacement::LookAt { eye, target, up } => {
+            writer.field("eye", Some(floats(&**eye)));
+            writer.field("target", Some(floats(&**target)));
+            writer.field("up", Some(floats(&**up)));
         }
-        LightKind::Other(other) => writer.words(&format!("type {}", quote(&other.keyword.value)), &other.words),
-    });
+        CameraPlacement::Transform(transform) => object::write_transform(writer, "transform", transform),
+        CameraPlacement::Moving { times, steps } => {
+            writer.line(&format!("steps {} times {}", steps.len(), floats(&**times)));
+            for step in steps {
+                match step {
+                    CameraPlacement::LookAt { .. } => writer.block("", |writer| write_placement(writer, step)),
+                    _ => write_placement(writer, step),
+                }
+            }
+        }
+    }
+}
+
+fn write_view(writer: &mut Writer, view: &View) {
+    writer.field("fov", Some(number(view.fov.value)));
+    writer.field("aspect", Some(number(view.aspect.value)));
+    writer.field("shift", view.shift.map(|shift| floats(&*shift)));
 }

@@ -7,14 +7,17 @@ mod light;
 mod object;
 mod shader;
 mod transform;
+mod unrendered;
 
-pub use camera::{Camera, CameraPlacement, Lens};
+pub use camera::{Camera, CameraPlacement, Lens, View};
 pub use color::{Color, Paint};
 pub use image::{Bucket, BucketOrder, Image, TraceDepths};
-pub use light::{Light, LightKind};
-pub use object::{Instance, Mesh, MeshForm, Object, PerVertex, PlaneOrientation, Shape, SphereForm};
+pub use light::Light;
+pub use object::{BezierMesh, Instance, Mesh, MeshForm, Object, ParticleSource, PerVertex, PlaneOrientation};
+pub use object::{Shape, SphereForm, Subdivision};
 pub use shader::{Absorption, Shader, ShaderKind};
 pub use transform::{Transform, TransformStep};
+pub use unrendered::{Field, Unknown, Unrendered, Value};
 
 use crate::span::Spanned;
 
@@ -38,7 +41,7 @@ pub enum Statement {
     /// `trace-depths { ... }`
     TraceDepths(TraceDepths),
     /// `background { color ... }`
-    Background(Color),
+    Background(Spanned<Color>),
     /// `camera { ... }`
     Camera(Camera),
     /// `shader { ... }`
@@ -60,8 +63,46 @@ pub enum Statement {
         /// The file that was found for it.
         file: Option<Included>,
     },
-    /// A statement that is read over: its words are kept so that it can be printed back.
-    Other(Other),
+    /// `modifier { name NAME type KIND ... }`: not rendered.
+    Modifier {
+        /// `name NAME`
+        name: Spanned<String>,
+        /// What it does.
+        kind: Kind,
+    },
+    /// `gi { type KIND ... }`: not rendered.
+    Gi(Kind),
+    /// `photons { ... }`: not rendered.
+    Photons(Unrendered),
+    /// `lightserver { ... }`, an old form of `gi`, `photons` and `trace-depths`: not rendered.
+    LightServer(Unrendered),
+    /// `override SHADER PHOTONS`: not rendered.
+    Override {
+        /// The shader that every surface should have.
+        shader: Spanned<String>,
+        /// Whether photons see it, too.
+        photons: Spanned<bool>,
+    },
+    /// `accel NAME`: without effect.
+    Accelerator(Spanned<String>),
+    /// `filter NAME [ SIZE SIZE ]`, an old form outside `image`: without effect.
+    Filter {
+        /// Its name.
+        name: Spanned<String>,
+        /// Its width and height in pixels.
+        size: Option<Spanned<[f32; 2]>>,
+    },
+    /// A statement that nobody knows.
+    Unknown(Unknown),
+}
+
+/// What a block does that is of a type of Sunflow's, or of none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// A type of Sunflow's.
+    Unrendered(Unrendered),
+    /// A type that nobody knows.
+    Unknown(Unknown),
 }
 
 /// A file that an `include` brought in.
@@ -71,13 +112,4 @@ pub struct Included {
     pub path: String,
     /// What it says.
     pub scene: SceneFile,
-}
-
-/// Something that girasol knows but does not render: kept word for word.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Other {
-    /// The first word: `gi`, `photons`, `modifier` ...; in an object or light, its type.
-    pub keyword: Spanned<String>,
-    /// All further words, braces included, as the reader cuts them (quotes removed).
-    pub words: Vec<String>,
 }

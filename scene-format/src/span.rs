@@ -1,5 +1,8 @@
 //! Where something stands in the source: byte ranges, and their lines and columns.
 
+use std::borrow::Cow;
+use std::ops::Deref;
+
 /// A file's number within one [`Sources`]; 0 is the scene file itself, the others are its includes.
 pub type FileId = u32;
 
@@ -45,6 +48,14 @@ impl<T> From<T> for Spanned<T> {
     }
 }
 
+impl<T> Deref for Spanned<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.value
+    }
+}
+
 impl<T: PartialEq> PartialEq for Spanned<T> {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
@@ -53,20 +64,20 @@ impl<T: PartialEq> PartialEq for Spanned<T> {
 
 /// The text of a file that took part in a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct Source<'s> {
     /// The name that messages show.
     pub name: String,
-    /// The whole text.
-    pub text: String,
+    /// The whole text. That of the scene file itself is borrowed from the caller: it may be large.
+    pub text: Cow<'s, str>,
     /// For an include: the place of the `include` statement that brought the file in.
     pub included_at: Option<Span>,
 }
 
 /// All files that took part in a scene, by [`FileId`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Sources {
+pub struct Sources<'s> {
     /// File 0 is the scene file itself.
-    pub files: Vec<Source>,
+    pub files: Vec<Source<'s>>,
 }
 
 /// A place as people count it: line and column from 1, the column in characters.
@@ -78,7 +89,14 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-impl Sources {
+impl Sources<'_> {
+    /// The `include` statements that led to a file, the innermost first; none for the scene file itself.
+    pub fn included_at(&self, file: FileId) -> impl Iterator<Item = Span> {
+        let above = |file: FileId| self.files.get(file as usize).and_then(|source| source.included_at);
+        // An include has a greater number than the file that names it, so this ends.
+        std::iter::successors(above(file), move |span| above(span.file))
+    }
+
     /// The line and column of a span's first byte.
     ///
     /// Takes time in proportion to the file: it is called for messages alone. A span of no known file is line 1, column 1.

@@ -41,7 +41,7 @@ impl<F: Files> Rendering<F> {
     /// # Panics
     /// If there is anything to say about the text, be it only a warning.
     pub fn assemble(&self) -> Assembled {
-        let parsed = (self.modules.parse)("test.sc", &self.text, &self.files);
+        let parsed = (self.modules.parse)("test.sc", &self.text, &self.files, &self.modules.limits);
         assert!(parsed.diagnostics.is_empty(), "{:#?} in\n{}", parsed.diagnostics, self.text);
         match render::assemble(&parsed.scene, &self.modules, &self.lighting, &self.files) {
             Ok(assembled) if assembled.warnings.is_empty() => assembled,

@@ -61,7 +61,8 @@ pub(crate) fn figure(effort: &Effort, steps: &Steps) -> Result<Figure, Failure> 
 fn rendered(modules: Modules, effort: &Effort) -> Result<Film, Failure> {
     let failed = || Failure::new(format!("the scene `{SCENE}` could not be rendered"));
     let scene = scenes::find(SCENE).ok_or_else(failed)?;
-    let parsed = (modules.parse)(SCENE, &scene.source(), &EmbeddedFiles);
+    let text = scene.source();
+    let parsed = (modules.parse)(SCENE, &text, &EmbeddedFiles, &modules.limits);
     let assembled =
         assemble(&parsed.scene, &modules, &render::Lighting::default(), &EmbeddedFiles).map_err(|_| failed())?;
     let settings = Settings { size: effort.picture, aa: effort.picture_aa, ..assembled.settings };

@@ -1,12 +1,16 @@
 use scene_format::scene_file;
 use shading::{Color, srgb};
 
+use super::spectrum;
+
 /// A colour of a scene file as linear sRGB.
 pub(super) fn linear(color: &scene_file::Color) -> Color {
     match *color {
         scene_file::Color::Bare(rgb) | scene_file::Color::SrgbLinear(rgb) => rgb.into(),
         scene_file::Color::SrgbNonlinear(rgb) => rgb.map(srgb::decode).into(),
         scene_file::Color::Xyz(xyz) => from_xyz(xyz),
+        scene_file::Color::Blackbody(kelvin) => from_xyz(spectrum::blackbody(kelvin)),
+        scene_file::Color::Spectrum { range, ref values } => from_xyz(spectrum::sampled(range, values)),
     }
 }
 

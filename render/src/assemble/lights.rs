@@ -1,18 +1,18 @@
 use glam::Vec3;
-use scene_format::scene_file::{Light, LightKind};
+use scene_format::scene_file::Light;
 use shading::{Color, Falloff, PointLight};
 
 use super::color::linear;
 
 /// A light of a scene file, if it is of a kind that is rendered.
 pub(super) fn point_light(light: &Light, falloff: Falloff) -> Option<PointLight> {
-    let LightKind::Point { color, power, position } = &light.kind else { return None };
+    let Light::Point { color, power, position } = light else { return None };
     let color = linear(color);
     let (color, power) = match power {
-        Some(power) => (color, *power),
+        Some(power) => (color, power.value),
         None => split_flux(color),
     };
-    Some(PointLight { position: Vec3::from(*position), color, power, falloff })
+    Some(PointLight { position: Vec3::from(position.value), color, power, falloff })
 }
 
 /// The old form gives colour times power in one: the power is the strongest channel's.

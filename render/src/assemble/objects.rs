@@ -1,7 +1,7 @@
 use geometry::{Corners, Ellipsoid, Mesh, Plane, Sphere, Transform, unit_cube};
 use glam::{Vec2, Vec3};
 use scene_format::{
-    Diagnostic, Span, Spanned,
+    Code, Diagnostic, Span, Spanned,
     scene_file::{self, Instance, MeshForm, Object, PerVertex, PlaneOrientation, Shape, SphereForm, Triple},
 };
 
@@ -17,7 +17,7 @@ impl<'a> Parts<'a> {
         if let Some(name) = &object.name {
             self.geometries.insert(&name.value, &object.shape);
         }
-        if object.noinstance || matches!(object.shape.value, Shape::Other(_)) {
+        if object.noinstance.is_some() {
             return;
         }
         match invertible(object.transform.as_ref()) {
@@ -30,8 +30,12 @@ impl<'a> Parts<'a> {
         let Some(&shape) = self.geometries.get(instance.geometry.value.as_str()) else {
             let name = &instance.geometry;
             self.diagnostics.push(
-                Diagnostic::warning(name.span, format!("no object `{}` comes before this instance of it", name.value))
-                    .label("the instance is left out"),
+                Diagnostic::warning(
+                    Code::UndeclaredGeometry,
+                    name.span,
+                    format!("no object `{}` comes before this instance of it", name.value),
+                )
+                .label("the instance is left out"),
             );
             return;
         };
@@ -47,19 +51,21 @@ impl<'a> Parts<'a> {
     fn add_shape(&mut self, shape: &Spanned<Shape>, shaders: &[Spanned<String>], to_world: &Transform) {
         let added = match &shape.value {
             Shape::Sphere(form) => self.add_sphere(*form, shaders, to_world),
-            Shape::Plane { point, orientation } => self.add_plane(*point, *orientation, shaders, to_world, shape.span),
+            Shape::Plane { point, orientation } => {
+                self.add_plane(point.value, *orientation, shaders, to_world, shape.span)
+            }
             Shape::Box => self.add_mesh(placed(unit_cube(), to_world), None, shaders, shape.span),
             Shape::Mesh(mesh) => self.add_mesh(
                 placed(from_file(mesh, self.modules.dialect), to_world),
-                mesh.face_shaders.as_deref(),
+                mesh.face_shaders.as_ref().map(|shaders| shaders.as_slice()),
                 shaders,
                 shape.span,
             ),
-            Shape::Other(_) => Ok(()),
+            _ => Ok(()),
         };
         match added {
             Err(NotPlaced::TooFar) => self.diagnostics.push(
-                Diagnostic::error(shape.span, "this object reaches too far out")
+                Diagnostic::error(Code::TooFar, shape.span, "this object reaches too far out")
                     .label(format!("a coordinate beyond {LARGEST_COORDINATE:e}"))
                     .help("scale the scene down, or look for a number that has too many digits"),
             ),
@@ -76,8 +82,8 @@ impl<'a> Parts<'a> {
     ) -> Result<(), NotPlaced> {
         let place = match form {
             SphereForm::Unit => *to_world,
-            SphereForm::CenterRadius { center, radius } => Transform::scale(glam::DVec3::splat(radius.into()))
-                .then(&Transform::translation(dvec3(center)))
+            SphereForm::CenterRadius { center, radius } => Transform::scale(glam::DVec3::splat(radius.value.into()))
+                .then(&Transform::translation(dvec3(center.value)))
                 .then(to_world),
         };
         // Turned or stretched, it is an ellipsoid.
@@ -108,15 +114,20 @@ impl<'a> Parts<'a> {
         span: Span,
     ) -> Result<(), NotPlaced> {
         let local = match orientation {
-            PlaneOrientation::Normal(normal) => Plane::from_normal(point.into(), normal.into()),
-            PlaneOrientation::Points([second, third]) => Plane::from_points(point.into(), second.into(), third.into()),
+            PlaneOrientation::Normal(normal) => Plane::from_normal(point.into(), normal.value.into()),
+            PlaneOrientation::Points([second, third]) => {
+                Plane::from_points(point.into(), second.value.into(), third.value.into())
+            }
         };
         let plane = local.and_then(|plane| plane.transformed(to_world)).ok_or_else(|| {
             NotPlaced::Because(match orientation {
-                PlaneOrientation::Normal(_) => Diagnostic::error(span, "this plane's normal is zero")
-                    .help("`n 0 0 1` is a floor where z points upwards"),
+                PlaneOrientation::Normal(_) => {
+                    Diagnostic::error(Code::UndeterminedPlane, span, "this plane's normal is zero")
+                        .help("`n 0 0 1` is a floor where z points upwards")
+                }
                 PlaneOrientation::Points(_) => {
-                    Diagnostic::error(span, "this plane's three points lie on one line").help("move one of them aside")
+                    Diagnostic::error(Code::UndeterminedPlane, span, "this plane's three points lie on one line")
+                        .help("move one of them aside")
                 }
             })
         })?;
@@ -161,9 +172,13 @@ impl<'a> Parts<'a> {
                 let default = numbers.len() as u32;
                 if indices.iter().any(|&index| index >= default) {
                     self.diagnostics.push(
-                        Diagnostic::warning(span, "some face shaders of this mesh are not in its list of shaders")
-                            .label(format!("the object has {default}"))
-                            .help("those triangles are rendered in the default colour"),
+                        Diagnostic::warning(
+                            Code::NoSuchFaceShader,
+                            span,
+                            "some face shaders of this mesh are not in its list of shaders",
+                        )
+                        .label(format!("the object has {default}"))
+                        .help("those triangles are rendered in the default colour"),
                     );
                 }
                 for face in 0..faces {
@@ -186,9 +201,13 @@ impl<'a> Parts<'a> {
         if flat > 0 {
             let triangles = mesh.triangles.len();
             self.diagnostics.push(
-                Diagnostic::warning(span, format!("{flat} of this mesh's {triangles} triangles have no area"))
-                    .label("they are never seen")
-                    .help("two of their corners are the same point, or all three lie on one line"),
+                Diagnostic::warning(
+                    Code::FlatTriangles,
+                    span,
+                    format!("{flat} of this mesh's {triangles} triangles have no area"),
+                )
+                .label("they are never seen")
+                .help("two of their corners are the same point, or all three lie on one line"),
             );
         }
     }
@@ -205,9 +224,9 @@ impl<'a> Parts<'a> {
 /// the inverse transpose.
 fn sunflow_normal_length(point: Triple, orientation: PlaneOrientation, to_world: &Transform) -> f32 {
     let local = match orientation {
-        PlaneOrientation::Normal(normal) => dvec3(normal),
+        PlaneOrientation::Normal(normal) => dvec3(normal.value),
         PlaneOrientation::Points([second, third]) => {
-            let [u, v] = [second, third].map(|other| dvec3(other) - dvec3(point));
+            let [u, v] = [second, third].map(|other| dvec3(other.value) - dvec3(point));
             u.cross(v).normalize()
         }
     };
@@ -228,14 +247,14 @@ fn check_reach(points: impl IntoIterator<Item = Vec3>) -> Result<(), NotPlaced> 
 
 /// A mesh as its file gives it.
 fn from_file(mesh: &scene_file::Mesh, dialect: Dialect) -> Mesh {
-    let normals = match (&mesh.normals, mesh.form) {
+    let normals = match (&mesh.normals.value, mesh.form) {
         (_, MeshForm::FlatLines) | (PerVertex::None, _) => Corners::None,
         (PerVertex::Vertex(normals), _) => Corners::PerPoint(normals.iter().copied().map(Vec3::from).collect()),
         (PerVertex::FaceVarying(normals), _) => {
             Corners::PerTriangle(normals.iter().map(|corners| corners.map(Vec3::from)).collect())
         }
     };
-    let uvs = match &mesh.uvs {
+    let uvs = match &mesh.uvs.value {
         PerVertex::None => match dialect {
             Dialect::Report => Corners::None,
             Dialect::Sunflow => Corners::Everywhere(Vec2::ZERO),
@@ -246,7 +265,7 @@ fn from_file(mesh: &scene_file::Mesh, dialect: Dialect) -> Mesh {
         }
     };
     let positions = mesh.points.iter().copied().map(Vec3::from).collect();
-    Mesh { positions, triangles: mesh.triangles.clone(), normals, uvs }
+    Mesh { positions, triangles: mesh.triangles.value.clone(), normals, uvs }
 }
 
 /// A mesh under a transform. Where that mirrors, each triangle is turned round, so that its front stays in front.

@@ -1,7 +1,7 @@
 use geometry::Transform;
 use glam::{DMat3, DVec3};
 use scene_format::{
-    Diagnostic, Spanned,
+    Code, Diagnostic, Spanned,
     scene_file::{self, TransformStep, Triple},
 };
 
@@ -11,6 +11,7 @@ pub(super) fn dvec3(triple: Triple) -> DVec3 {
 }
 
 /// A transform of a scene file; without one, nothing moves.
+/// What moves stands where its first step puts it.
 pub(super) fn transform(written: Option<&Spanned<scene_file::Transform>>) -> Transform {
     written.map_or(Transform::IDENTITY, |written| match &written.value {
         scene_file::Transform::Row(rows) => from_columns(rows, [0, 1, 2, 3], 4),
@@ -18,6 +19,7 @@ pub(super) fn transform(written: Option<&Spanned<scene_file::Transform>>) -> Tra
         scene_file::Transform::Steps(steps) => {
             steps.iter().fold(Transform::IDENTITY, |so_far, next| so_far.then(&step(next)))
         }
+        scene_file::Transform::Moving { steps, .. } => transform(steps.first()),
     })
 }
 
@@ -25,11 +27,13 @@ pub(super) fn transform(written: Option<&Spanned<scene_file::Transform>>) -> Tra
 pub(super) fn invertible(written: Option<&Spanned<scene_file::Transform>>) -> Result<Transform, Diagnostic> {
     let found = transform(written);
     match written {
-        Some(written) if found.inverse().is_none() => {
-            Err(Diagnostic::error(written.span, "this transform squeezes the object flat or makes it infinite")
-                .label("it has no inverse")
-                .help("look for a scale by 0, or for numbers that overflow"))
-        }
+        Some(written) if found.inverse().is_none() => Err(Diagnostic::error(
+            Code::NoInverse,
+            written.span,
+            "this transform squeezes the object flat or makes it infinite",
+        )
+        .label("it has no inverse")
+        .help("look for a scale by 0, or for numbers that overflow")),
         _ => Ok(found),
     }
 }
@@ -63,7 +67,7 @@ mod tests {
     use scene_format::scene_file::Transform as Written;
 
     fn moved(written: Written, point: [f64; 3]) -> DVec3 {
-        transform(Some(&written.into())).point(point.into())
+        transform(Some(&Spanned::from(written))).point(point.into())
     }
 
     #[test]
@@ -78,12 +82,13 @@ mod tests {
 
     #[test]
     fn steps_apply_in_the_order_written() {
-        let steps = vec![
+        let steps = [
             TransformStep::RotateZ(90.0),
             TransformStep::Translate([1.0, 0.0, 0.0]),
             TransformStep::ScaleY(3.0),
             TransformStep::ScaleUniform(2.0),
         ];
+        let steps = steps.map(Spanned::from).to_vec();
         // x -> y -> (1, 1, 0) -> (1, 3, 0) -> (2, 6, 0)
         assert_eq!(moved(Written::Steps(steps), [1.0, 0.0, 0.0]), DVec3::new(2.0, 6.0, 0.0));
     }

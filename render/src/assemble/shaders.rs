@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use image::{ImageReader, Limits};
 use scene_format::{
-    Diagnostic, FileError, Files, SearchPath, Spanned,
+    Code, Diagnostic, FileError, Files, SearchPath, Spanned,
     scene_file::{self, Paint, ShaderKind},
 };
 use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow};
@@ -80,9 +80,13 @@ impl<'a> ShaderTable<'a> {
                 count => format!("{count} shaders are declared before it, none of that name"),
             };
             self.diagnostics.push(
-                Diagnostic::warning(name.span, format!("no shader `{}` is declared before its use", name.value))
-                    .label("rendered in the default colour")
-                    .help(help),
+                Diagnostic::warning(
+                    Code::UndeclaredShader,
+                    name.span,
+                    format!("no shader `{}` is declared before its use", name.value),
+                )
+                .label("rendered in the default colour")
+                .help(help),
             );
             return self.default_shader();
         };
@@ -154,16 +158,16 @@ impl<'a> ShaderTable<'a> {
 
     fn make(&mut self, kind: &ShaderKind) -> Box<dyn Shader> {
         if let (Dialect::Sunflow, ShaderKind::Shiny { diffuse, reflection }) = (self.modules.dialect, kind) {
-            return Box::new(sunflow::Shiny { diffuse: self.paint(diffuse), reflection: *reflection });
+            return Box::new(sunflow::Shiny { diffuse: self.paint(diffuse), reflection: reflection.value });
         }
         if let Some((paint, specular, exponent)) = matt_parts(kind) {
-            return (self.modules.shaders.phong)(self.paint(paint), specular, exponent);
+            return (self.modules.shaders.phong)(self.paint(&paint), specular, exponent);
         }
         match kind {
             ShaderKind::Constant(color) => (self.modules.shaders.constant)(linear(color)),
             ShaderKind::Mirror(reflection) => (self.modules.shaders.mirror)(linear(reflection)),
             ShaderKind::Glass { eta, color, absorption } => {
-                (self.modules.shaders.glass)(*eta, linear(color), absorbing(absorption))
+                (self.modules.shaders.glass)(eta.value, linear(color), absorbing(absorption))
             }
             _ => (self.modules.shaders.constant)(self.default_color()),
         }
@@ -188,17 +192,25 @@ impl<'a> ShaderTable<'a> {
             return Ok(Arc::clone(&read.texture));
         }
         let (_, bytes) = self.texture_path.find(&name.value, self.files).map_err(|error| match error {
-            FileError::NotFound => Diagnostic::error(name.span, format!("there is no texture `{}`", name.value))
-                .label("no such file")
-                .help(self.where_looked()),
+            FileError::NotFound => {
+                let message = format!("there is no texture `{}`", name.value);
+                Diagnostic::error(Code::FileNotFound, name.span, message)
+                    .label("no such file")
+                    .help(self.where_looked())
+            }
             FileError::Unreadable(reason) => {
-                Diagnostic::error(name.span, format!("the texture `{}` cannot be read", name.value)).label(reason)
+                Diagnostic::error(Code::UnusableFile, name.span, format!("the texture `{}` cannot be read", name.value))
+                    .label(reason)
             }
         })?;
         let picture = decode(&bytes).map_err(|reason| {
-            Diagnostic::error(name.span, format!("the texture `{}` is not a picture that can be read", name.value))
-                .label(reason)
-                .help("textures are PNG, JPG, GIF or BMP files")
+            Diagnostic::error(
+                Code::UnusableFile,
+                name.span,
+                format!("the texture `{}` is not a picture that can be read", name.value),
+            )
+            .label(reason)
+            .help("textures are PNG, JPG, GIF or BMP files")
         })?;
         let bytes = picture.bytes();
         let texture = (self.modules.texture)(picture);
@@ -217,16 +229,14 @@ impl<'a> ShaderTable<'a> {
 }
 
 /// The paint, highlight and exponent of what is rendered as phong; without a highlight where the type is another.
-fn matt_parts(kind: &ShaderKind) -> Option<(&Paint, Color, f32)> {
+fn matt_parts(kind: &ShaderKind) -> Option<(Paint, Color, f32)> {
     match kind {
-        ShaderKind::Phong { diffuse, specular, exponent, .. } => Some((diffuse, linear(specular), *exponent)),
-        ShaderKind::Diffuse(diffuse)
-        | ShaderKind::Shiny { diffuse, .. }
-        | ShaderKind::Other { diffuse: Some(diffuse), .. } => Some((diffuse, Color::BLACK, 1.0)),
-        ShaderKind::Constant(_)
-        | ShaderKind::Mirror(_)
-        | ShaderKind::Glass { .. }
-        | ShaderKind::Other { diffuse: None, .. } => None,
+        ShaderKind::Phong { diffuse, specular, exponent, .. } => {
+            Some((diffuse.clone(), linear(specular), exponent.value))
+        }
+        ShaderKind::Diffuse(diffuse) | ShaderKind::Shiny { diffuse, .. } => Some((diffuse.clone(), Color::BLACK, 1.0)),
+        ShaderKind::Unrendered(_) | ShaderKind::Unknown { .. } => Some((kind.own_paint()?, Color::BLACK, 1.0)),
+        ShaderKind::Constant(_) | ShaderKind::Mirror(_) | ShaderKind::Glass { .. } => None,
     }
 }
 
@@ -235,11 +245,15 @@ fn warn_of_gloss(shader: &scene_file::Shader) -> Option<Diagnostic> {
     /// Where the file does not say.
     const SUNFLOW_S_SAMPLES: u32 = 4;
     let ShaderKind::Phong { specular, samples, .. } = &shader.kind else { return None };
-    let samples = samples.unwrap_or(SUNFLOW_S_SAMPLES);
+    let samples = samples.map_or(SUNFLOW_S_SAMPLES, |samples| samples.value);
     (samples > 0 && linear(specular) != Color::BLACK).then(|| {
-        Diagnostic::warning(shader.name.span, format!("`{}` is rendered without glossy reflections", shader.name.value))
-            .label(format!("Sunflow follows {samples} of them from each point seen"))
-            .help("to compare pictures, let the shader end with `samples 0`, also for Sunflow")
+        Diagnostic::warning(
+            Code::GlossNotRendered,
+            shader.name.span,
+            format!("`{}` is rendered without glossy reflections", shader.name.value),
+        )
+        .label(format!("Sunflow follows {samples} of them from each point seen"))
+        .help("to compare pictures, let the shader end with `samples 0`, also for Sunflow")
     })
 }
 
@@ -252,14 +266,15 @@ fn type_name(kind: &ShaderKind) -> &str {
         ShaderKind::Mirror(_) => "mirror",
         ShaderKind::Glass { .. } => "glass",
         ShaderKind::Shiny { .. } => "shiny",
-        ShaderKind::Other { block, .. } => &block.keyword.value,
+        ShaderKind::Unrendered(block) => &block.kind,
+        ShaderKind::Unknown { block, .. } => &block.keyword,
     }
 }
 
 fn absorbing(absorption: &scene_file::Absorption) -> Option<Absorption> {
-    let distance = absorption.distance.filter(|&distance| distance > 0.0)?;
+    let distance = absorption.distance.map(|distance| distance.value).filter(|&distance| distance > 0.0)?;
     // Sunflow's default: grey.
-    let color = absorption.color.as_ref().map_or(Color::grey(0.5), linear);
+    let color = absorption.color.as_ref().map_or(Color::grey(0.5), |color| linear(color));
     Some(Absorption { distance, color })
 }
 

@@ -1,7 +1,10 @@
-use super::keywords::{UNRENDERED_TYPES, nearest};
+use super::keywords::nearest;
+use super::layout::Mark;
 use super::report::{Read, quoted};
 use super::{Parser, Reported};
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::grammar::TypeForm;
 use crate::lexer::{Token, is_number};
 use crate::span::{Span, Spanned};
 
@@ -13,9 +16,9 @@ pub(super) struct Block<'s> {
     /// The statement's keyword, which messages name the block by.
     pub(super) keyword: Token<'s>,
     /// The words that begin its fields, of whatever type the block is.
-    fields: &'static [&'static str],
+    pub(super) fields: Vec<&'static str>,
     /// The keyword and the opening brace.
-    opened: Span,
+    pub(super) opened: Span,
     depth: u32,
     errors_before: usize,
 }
@@ -28,10 +31,20 @@ pub(super) enum Field {
 }
 
 impl<'s> Parser<'s> {
-    /// Takes the brace that opens a statement's block.
-    pub(super) fn open(&mut self, keyword: Token<'s>, fields: &'static [&'static str]) -> Read<Block<'s>> {
-        let brace = self.expect("{", format_args!("`{}` needs a block after it", keyword.text))?;
+    /// Takes the brace that opens a statement's block. `fields` and those of all `types` are the words that may begin its fields.
+    pub(super) fn open(&mut self, keyword: Token<'s>, fields: &[&'static str], types: &[TypeForm]) -> Read<Block<'s>> {
+        let Some(brace) = self.take("{") else {
+            let error = Diagnostic::error(
+                Code::MissingBlock,
+                self.cursor.here(),
+                format!("`{}` needs a block after it", keyword.text),
+            );
+            let label = format!("expected `{{`, found {}", self.found());
+            return self.fail(error.label(label));
+        };
         let opened = keyword.span.to(brace.span);
+        let of_types = types.iter().flat_map(|(_, fields)| fields.iter().map(|(name, _)| *name));
+        let fields = fields.iter().copied().chain(of_types).collect();
         Ok(Block { keyword, fields, opened, depth: self.cursor.depth(), errors_before: self.context.errors })
     }
 
@@ -49,8 +62,10 @@ impl<'s> Parser<'s> {
             };
             self.cursor.next();
             if token.is_close() {
+                self.mark(token, Mark::BlockEnd);
                 return if self.context.errors == block.errors_before { Ok(()) } else { Err(Reported) };
             }
+            self.mark(token, Mark::Field);
             match read(self, token) {
                 Ok(Field::Known) if block.fields.contains(&token.text) => {
                     self.warn_of_repetition(&seen, token);
@@ -68,9 +83,13 @@ impl<'s> Parser<'s> {
         if let Some(field) = field {
             return Ok(field);
         }
-        let error = Diagnostic::error(self.cursor.previous(), format!("the {} has no `{name}`", block.keyword.text))
-            .label(format!("expected `{form}` before this"))
-            .note(block.opened, "the block begins here");
+        let error = Diagnostic::error(
+            Code::MissingField,
+            self.cursor.previous(),
+            format!("the {} has no `{name}`", block.keyword.text),
+        )
+        .label(format!("expected `{form}` before this"))
+        .note(block.opened, "the block begins here");
         self.fail(error)
     }
 
@@ -93,23 +112,32 @@ impl<'s> Parser<'s> {
                 }
             }
         }
-        let error = Diagnostic::error(block.opened, format!("the {} has no `type`", block.keyword.text))
-            .label("expected `type <type>` in this block")
-            .help(format!("types that are rendered: {}", known.join(", ")));
+        let error =
+            Diagnostic::error(Code::MissingType, block.opened, format!("the {} has no `type`", block.keyword.text))
+                .label("expected `type <type>` in this block")
+                .help(format!("types that are rendered: {}", known.join(", ")));
         self.fail(error)
     }
 
-    /// Warns that a block's type is one that is not rendered; `effect` says what that does to the picture.
-    pub(super) fn warn_of_type(&mut self, block: &Block<'_>, kind: Token<'_>, known: &[&str], effect: &str) {
-        let what = block.keyword.text;
-        let list = || format!("types that are rendered: {}", known.join(", "));
-        let warning = if UNRENDERED_TYPES.contains(&kind.text) {
-            Diagnostic::warning(kind.span, format!("{what}s of type {} are not rendered", quoted(kind))).help(list())
-        } else {
-            let help = nearest(kind.text, known).map_or_else(list, |meant| format!("did you mean `{meant}`?"));
-            Diagnostic::warning(kind.span, format!("unknown {what} type {}", quoted(kind))).help(help)
+    /// Warns that a block's type is one of Sunflow's that is not rendered; `effect` says what that does to the picture.
+    pub(super) fn warn_of_unrendered(&mut self, block: &Block<'_>, kind: Token<'_>, rendered: &[&str], effect: &str) {
+        let message = format!("{}s of type {} are not rendered", block.keyword.text, quoted(kind));
+        let warning = Diagnostic::warning(Code::TypeNotRendered, kind.span, message).label(effect);
+        self.context.report(match rendered {
+            [] => warning,
+            _ => warning.help(format!("types that are rendered: {}", rendered.join(", "))),
+        });
+    }
+
+    /// Warns that nobody knows a block's type.
+    pub(super) fn warn_of_unknown(&mut self, block: &Block<'_>, kind: Token<'_>, known: &[&str], effect: &str) {
+        let help = match nearest(kind.text, known) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => format!("the types are {}", known.join(", ")),
         };
-        self.context.report(warning.label(effect));
+        let message = format!("unknown {} type {}", block.keyword.text, quoted(kind));
+        let warning = Diagnostic::warning(Code::UnknownType, kind.span, message);
+        self.context.report(warning.label(effect).help(help));
     }
 
     /// After an error in a statement: goes on behind it.
@@ -144,18 +172,22 @@ impl<'s> Parser<'s> {
     fn unknown_field(&mut self, block: &Block<'_>, token: Token<'_>) {
         let what = block.keyword.text;
         let diagnostic = if is_number(token.text) {
-            Diagnostic::warning(token.span, format!("the number {} belongs to no field", quoted(token)))
-                .label("skipped")
-                .help("remove it, or write the word before it that says what it is")
+            Diagnostic::warning(
+                Code::StrayNumber,
+                token.span,
+                format!("the number {} belongs to no field", quoted(token)),
+            )
+            .label("skipped")
+            .help("remove it, or write the word before it that says what it is")
         } else if block.fields.contains(&token.text) {
-            Diagnostic::warning(token.span, format!("{} means nothing in a {what} of this type", quoted(token)))
-                .label("skipped")
-        } else if let Some(meant) = nearest(token.text, block.fields).or_else(|| shorter(token.text, block.fields)) {
-            Diagnostic::error(token.span, format!("unknown word {} in this {what}", quoted(token)))
+            let message = format!("{} means nothing in a {what} of this type", quoted(token));
+            Diagnostic::warning(Code::MeaninglessField, token.span, message).label("skipped")
+        } else if let Some(meant) = nearest(token.text, &block.fields).or_else(|| shorter(token.text, &block.fields)) {
+            Diagnostic::error(Code::UnknownWord, token.span, format!("unknown word {} in this {what}", quoted(token)))
                 .label("not known here")
                 .help(format!("did you mean `{meant}`?"))
         } else {
-            Diagnostic::warning(token.span, format!("unknown word {} in this {what}", quoted(token)))
+            Diagnostic::warning(Code::UnknownWord, token.span, format!("unknown word {} in this {what}", quoted(token)))
                 .label("skipped, up to the next word that is known")
         };
         self.context.report(diagnostic.note(block.opened, "the block begins here"));
@@ -164,19 +196,24 @@ impl<'s> Parser<'s> {
 
     fn warn_of_repetition(&mut self, seen: &[Token<'_>], token: Token<'_>) {
         if let Some(first) = seen.iter().find(|seen| seen.text == token.text) {
-            let warning = Diagnostic::warning(token.span, format!("`{}` is given twice", token.text))
-                .label("the last one holds")
-                .note(first.span, "first given here");
+            let warning =
+                Diagnostic::warning(Code::RepeatedField, token.span, format!("`{}` is given twice", token.text))
+                    .label("the last one holds")
+                    .note(first.span, "first given here");
             self.context.report(warning);
         }
     }
 
     fn unclosed<T>(&mut self, block: &Block<'_>) -> Read<T> {
         self.cursor.forget_depth();
-        let error = Diagnostic::error(self.cursor.here(), format!("the {} has no closing brace", block.keyword.text))
-            .label(format!("expected `}}`, found {}", self.found()))
-            .note(block.opened, "the block begins here")
-            .help("put a `}` at the end of the block");
+        let error = Diagnostic::error(
+            Code::UnclosedBlock,
+            self.cursor.here(),
+            format!("the {} has no closing brace", block.keyword.text),
+        )
+        .label(format!("expected `}}`, found {}", self.found()))
+        .note(block.opened, "the block begins here")
+        .help("put a `}` at the end of the block");
         self.fail(error)
     }
 }
@@ -188,11 +225,6 @@ fn shorter(word: &str, known: &[&'static str]) -> Option<&'static str> {
         rest.is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_lowercase()))
     };
     known.iter().copied().find(|known| spells_out(known))
-}
-
-/// Puts the words of a group into the form that `Other` keeps.
-pub(super) fn texts(tokens: &[Token<'_>]) -> Vec<String> {
-    tokens.iter().map(|token| token.text.to_owned()).collect()
 }
 
 /// A word with its place, to keep.

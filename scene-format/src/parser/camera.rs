@@ -1,12 +1,16 @@
-use super::block::{Block, Field, kept, texts};
+use super::block::{Block, Field};
 use super::report::Read;
+use super::unrendered::OtherFields;
 use super::{Parser, Reported};
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
-use crate::scene_file::{Camera, CameraPlacement, Lens, Other, Statement, Transform, Triple};
-use crate::span::Spanned;
+use crate::scene_file::{Camera, CameraPlacement, Kind, Lens, Statement, Triple, Unknown, View};
+use crate::span::{Span, Spanned};
 
-const TYPES: &[&str] = &["pinhole", "thinlens"];
+/// The types that are rendered.
+const RENDERED: &[&str] = &["pinhole", "thinlens"];
+const TYPES: &[&str] = &["pinhole", "thinlens", "spherical", "fisheye"];
 const FIELDS: &[&str] = &[
     "type",
     "shutter",
@@ -27,19 +31,21 @@ const FIELDS: &[&str] = &[
 /// The fields of a camera, as far as they were there.
 #[derive(Default)]
 struct Fields {
-    view: View,
-    transform: Option<Spanned<Transform>>,
+    look: Look,
+    /// A placement that needs no `eye`.
+    whole: Option<(CameraPlacement, Span)>,
+    shutter: Option<Spanned<[f32; 2]>>,
     fov: Option<Spanned<f32>>,
     aspect: Option<Spanned<f32>>,
-    shift: Option<[f32; 2]>,
-    focus_distance: Option<f32>,
-    radius: Option<f32>,
-    sides: Option<u32>,
-    rotation: Option<f32>,
+    shift: Option<Spanned<[f32; 2]>>,
+    focus_distance: Option<Spanned<f32>>,
+    radius: Option<Spanned<f32>>,
+    sides: Option<Spanned<u32>>,
+    rotation: Option<Spanned<f32>>,
 }
 
 #[derive(Clone, Copy, Default)]
-struct View {
+struct Look {
     eye: Option<Spanned<Triple>>,
     target: Option<Spanned<Triple>>,
     up: Option<Spanned<Triple>>,
@@ -47,22 +53,39 @@ struct View {
 
 impl<'s> Parser<'s> {
     pub(super) fn camera(&mut self, keyword: Token<'s>) -> Read<Statement> {
-        let block = self.open(keyword, FIELDS)?;
-        let kind = self.find_type(&block, TYPES)?;
+        let block = self.open(keyword, FIELDS, &[])?;
+        let kind = self.find_type(&block, RENDERED)?;
         if !TYPES.contains(&kind.text) {
-            self.warn_of_type(&block, kind, TYPES, "this camera is skipped");
-            let mut words = vec!["{".to_owned()];
-            words.extend(texts(&self.other_fields(&block)?));
-            words.push("}".to_owned());
-            return Ok(Statement::Other(Other { keyword: kept(keyword), words }));
+            return self.unknown_camera(&block, kind);
         }
-        let thin = kind.text == "thinlens";
+        if !RENDERED.contains(&kind.text) {
+            self.warn_of_unrendered(&block, kind, RENDERED, "this camera is skipped");
+        }
         let mut fields = Fields::default();
-        self.fields(&block, |parser, field| match field.text {
-            "fdist" | "lensr" | "sides" | "rotation" if thin => parser.lens_field(&mut fields, field),
+        self.fields(&block, |parser, field| match (field.text, kind.text) {
+            ("fdist" | "lensr" | "sides" | "rotation", "thinlens") => parser.lens_field(&mut fields, field),
+            ("fov" | "aspect" | "shift", "pinhole" | "thinlens") => parser.view_field(&mut fields, field),
             _ => parser.camera_field(&mut fields, field),
         })?;
-        self.finish_camera(&block, kind, &fields).map(Statement::Camera)
+        let placement = self.placement(&block, &fields);
+        let lens = self.lens(&block, kind, &fields);
+        let (placement, (lens, shutter)) = (placement?, lens?);
+        Ok(Statement::Camera(Camera { lens: Spanned::new(lens, kind.span), placement, shutter }))
+    }
+
+    /// A camera of a type that nobody knows is a statement that nobody knows.
+    fn unknown_camera(&mut self, block: &Block<'s>, kind: Token<'s>) -> Read<Statement> {
+        self.warn_of_unknown(block, kind, TYPES, "this camera is skipped");
+        let brace = |text: &str, span| Spanned::new(text.to_owned(), span);
+        let mut other = OtherFields::Unknown { kind: block.keyword, words: vec![brace("{", block.opened)] };
+        self.fields(block, |parser, field| parser.other_field(&mut other, field))?;
+        match other.finish() {
+            Kind::Unknown(Unknown { keyword, mut words }) => {
+                words.push(brace("}", self.cursor.previous()));
+                Ok(Statement::Unknown(Unknown { keyword, words }))
+            }
+            Kind::Unrendered(_) => Err(Reported),
+        }
     }
 
     fn camera_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {
@@ -71,22 +94,41 @@ impl<'s> Parser<'s> {
                 self.word(field)?;
             }
             "shutter" => {
-                let _open_and_close: [f32; 2] = self.floats(field)?;
-                let warning = Diagnostic::warning(field.span, "`shutter` does nothing: movement is not rendered");
-                self.context.report(warning.label("ignored"));
+                fields.shutter = Some(self.floats(field)?);
+                let message = "`shutter` does nothing: movement is not rendered";
+                self.context.report(Diagnostic::warning(Code::Ignored, field.span, message).label("ignored"));
             }
-            "eye" | "target" | "up" => self.view_field(&mut fields.view, field)?,
-            "transform" => fields.transform = Some(self.transform(field)?),
-            "steps" => match self.moving(field, Self::camera_step)? {
-                Ok(transform) => fields.transform = Some(transform),
-                Err(view) => fields.view = view,
-            },
-            "fov" => {
-                fields.fov = Some(self.checked(field, "between 0 and 180 degrees", |fov| 0.0 < fov && fov < 180.0)?);
+            "eye" | "target" | "up" => self.look_field(&mut fields.look, field)?,
+            "transform" => {
+                let transform = self.transform(field)?;
+                let span = transform.span;
+                fields.whole = Some((CameraPlacement::Transform(transform), span));
             }
-            "aspect" => fields.aspect = Some(self.checked(field, "greater than 0", |aspect| aspect > 0.0)?),
-            "shift" => fields.shift = Some(self.floats(field)?),
+            "steps" => {
+                let (times, steps) = self.moving(field, Self::camera_step)?;
+                let span = field.span.to(self.cursor.previous());
+                fields.whole = Some((CameraPlacement::Moving { times, steps }, span));
+            }
             _ => return Ok(Field::Unknown),
+        }
+        Ok(Field::Known)
+    }
+
+    fn view_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {
+        match field.text {
+            "fov" => {
+                let fov = self.float_that(field, "between 0 and 360 degrees", |fov| 0.0 < fov && fov < 360.0)?;
+                if fov.value >= 180.0 {
+                    let warning =
+                        Diagnostic::warning(Code::WideView, fov.span, "a plane cannot show 180 degrees or more")
+                            .label("the picture shows only what lies to the sides, as Sunflow's does")
+                            .help("60 is usual");
+                    self.context.report(warning);
+                }
+                fields.fov = Some(fov);
+            }
+            "aspect" => fields.aspect = Some(self.float_that(field, "greater than 0", |aspect| aspect > 0.0)?),
+            _ => fields.shift = Some(self.floats(field)?),
         }
         Ok(Field::Known)
     }
@@ -103,75 +145,73 @@ impl<'s> Parser<'s> {
         Ok(Field::Known)
     }
 
-    fn view_field(&mut self, view: &mut View, field: Token<'s>) -> Read<()> {
-        let triple: Triple = self.floats(field)?;
-        let place = match field.text {
-            "eye" => &mut view.eye,
-            "target" => &mut view.target,
-            _ => &mut view.up,
-        };
-        *place = Some(Spanned::new(triple, field.span.to(self.cursor.previous())));
+    fn look_field(&mut self, look: &mut Look, field: Token<'s>) -> Read<()> {
+        let triple = self.floats(field)?;
+        match field.text {
+            "eye" => look.eye = Some(triple),
+            "target" => look.target = Some(triple),
+            _ => look.up = Some(triple),
+        }
         Ok(())
     }
 
-    /// One step of a moving camera: a transform, or a view in braces.
-    fn camera_step(&mut self, steps: Token<'s>) -> Read<Result<Spanned<Transform>, View>> {
+    /// One step of a moving camera: a transform, or a place in braces.
+    fn camera_step(&mut self, steps: Token<'s>) -> Read<CameraPlacement> {
         if let Some(transform) = self.take("transform") {
-            return self.transform(transform).map(Ok);
+            return self.matrix(transform).map(CameraPlacement::Transform);
         }
         let open = self.expect("{", format_args!("`{}` needs a place for each step", steps.text))?;
-        let mut view = View::default();
+        let mut look = Look::default();
         while let Some(field) = self.cursor.peek().filter(|field| matches!(field.text, "eye" | "target" | "up")) {
             self.cursor.next();
-            self.view_field(&mut view, field)?;
+            self.look_field(&mut look, field)?;
         }
         self.close_group(open, "the camera's step")?;
-        Ok(Err(view))
+        match look {
+            Look { eye: Some(eye), target: Some(target), up: Some(up) } => {
+                Ok(CameraPlacement::LookAt { eye, target, up })
+            }
+            _ => {
+                let error = Diagnostic::error(Code::MissingField, open.span, "the camera's step is incomplete");
+                self.fail(error.label("expected `eye x y z target x y z up x y z` in these braces"))
+            }
+        }
     }
 
-    fn checked(&mut self, field: Token<'_>, condition: &str, holds: impl Fn(f32) -> bool) -> Read<Spanned<f32>> {
-        let value = self.float_that(field, condition, holds)?;
-        Ok(Spanned::new(value, self.cursor.previous()))
-    }
-
-    fn finish_camera(&mut self, block: &Block<'s>, kind: Token<'s>, fields: &Fields) -> Read<Camera> {
-        let placement = self.placement(block, fields);
+    fn lens(&mut self, block: &Block<'s>, kind: Token<'s>, fields: &Fields) -> Read<(Lens, Option<Spanned<[f32; 2]>>)> {
+        let shutter = fields.shutter;
+        match kind.text {
+            "spherical" => return Ok((Lens::Spherical, shutter)),
+            "fisheye" => return Ok((Lens::Fisheye, shutter)),
+            _ => {}
+        }
         let fov = self.require(block, fields.fov, "fov", "fov <degrees>");
         let aspect = self.require(block, fields.aspect, "aspect", "aspect <width over height>");
-        let lens = self.lens(block, kind, fields);
-        Ok(Camera { lens: lens?, placement: placement?, fov: fov?, aspect: aspect?, shift: fields.shift })
-    }
-
-    fn lens(&mut self, block: &Block<'s>, kind: Token<'s>, fields: &Fields) -> Read<Lens> {
+        let view = fov.and_then(|fov| Ok(View { fov, aspect: aspect?, shift: fields.shift }));
         if kind.text == "pinhole" {
-            return Ok(Lens::Pinhole);
+            return Ok((Lens::Pinhole(view?), shutter));
         }
         let focus_distance = self.require(block, fields.focus_distance, "fdist", "fdist <distance>");
         let radius = self.require(block, fields.radius, "lensr", "lensr <radius>");
         let (sides, rotation) = (fields.sides, fields.rotation);
-        Ok(Lens::Thin { focus_distance: focus_distance?, radius: radius?, sides, rotation })
+        let lens = Lens::Thin { view: view?, focus_distance: focus_distance?, radius: radius?, sides, rotation };
+        Ok((lens, shutter))
     }
 
     fn placement(&mut self, block: &Block<'s>, fields: &Fields) -> Read<CameraPlacement> {
-        let View { eye, target, up } = fields.view;
-        if let Some(transform) = &fields.transform {
+        let Look { eye, target, up } = fields.look;
+        if let Some((whole, span)) = &fields.whole {
             if let Some(also) = eye.or(target).or(up) {
-                let error = Diagnostic::error(also.span, "the camera has two places")
-                    .note(transform.span, "the transform already says where it stands")
+                let error = Diagnostic::error(Code::Contradiction, also.span, "the camera has two places")
+                    .note(*span, "this already says where it stands")
                     .help("write either `eye`, `target` and `up`, or `transform`");
                 return self.fail(error);
             }
-            return Ok(CameraPlacement::Transform(transform.clone()));
+            return Ok(whole.clone());
         }
         let eye = self.require(block, eye, "eye", "eye x y z");
         let target = self.require(block, target, "target", "target x y z");
         let up = self.require(block, up, "up", "up x y z");
-        match (eye, target, up) {
-            (Ok(eye), Ok(target), Ok(up)) => {
-                let span = eye.span.to(target.span).to(up.span);
-                Ok(CameraPlacement::LookAt { eye: eye.value, target: target.value, up: up.value, span })
-            }
-            _ => Err(Reported),
-        }
+        Ok(CameraPlacement::LookAt { eye: eye?, target: target?, up: up? })
     }
 }

@@ -1,34 +1,39 @@
 use super::Parser;
 use super::block::Field;
 use super::report::{Read, quoted};
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
 use crate::scene_file::{Bucket, BucketOrder, Color, Image, TraceDepths};
-
-/// The longest edge of a picture in pixels, as in Sunflow.
-const LONGEST_EDGE: i64 = 16384;
+use crate::span::Spanned;
 
 impl<'s> Parser<'s> {
     pub(super) fn image(&mut self, keyword: Token<'s>) -> Read<Image> {
         const FIELDS: &[&str] =
             &["resolution", "sampler", "aa", "samples", "contrast", "filter", "jitter", "show-aa", "cache", "output"];
-        let block = self.open(keyword, FIELDS)?;
+        let block = self.open(keyword, FIELDS, &[])?;
         let mut image = Image::default();
         self.fields(&block, |parser, field| {
             match field.text {
-                "resolution" => image.resolution = Some([parser.edge(field)?, parser.edge(field)?]),
-                "sampler" => image.sampler = Some(parser.word(field)?.text.to_owned()),
-                "aa" => image.aa = Some([parser.exponent(field)?, parser.exponent(field)?]),
+                "resolution" => {
+                    image.resolution = Some(parser.placed(|parser| Ok([parser.edge(field)?, parser.edge(field)?]))?);
+                }
+                "sampler" => image.sampler = Some(parser.string(field)?),
+                "aa" => {
+                    image.aa = Some(parser.placed(|parser| Ok([parser.exponent(field)?, parser.exponent(field)?]))?);
+                }
                 "samples" => image.samples = Some(parser.count(field)?),
                 "contrast" => image.contrast = Some(parser.float(field)?),
-                "filter" => image.filter = Some(parser.word(field)?.text.to_owned()),
+                "filter" => image.filter = Some(parser.string(field)?),
                 "jitter" => image.jitter = Some(parser.boolean(field)?),
-                "show-aa" | "cache" | "output" => {
-                    parser.word(field)?;
-                    let warning = Diagnostic::warning(field.span, format!("`{}` does nothing", field.text));
-                    parser.context.report(warning.label("ignored"));
-                }
+                "show-aa" => image.show_aa = Some(parser.boolean(field)?),
+                "cache" => image.cache = Some(parser.boolean(field)?),
+                "output" => image.output = Some(parser.string(field)?),
                 _ => return Ok(Field::Unknown),
+            }
+            if let "show-aa" | "cache" | "output" = field.text {
+                let message = format!("`{}` does nothing", field.text);
+                parser.context.report(Diagnostic::warning(Code::Ignored, field.span, message).label("ignored"));
             }
             Ok(Field::Known)
         })?;
@@ -36,7 +41,14 @@ impl<'s> Parser<'s> {
     }
 
     fn edge(&mut self, field: Token<'_>) -> Read<u32> {
-        Ok(self.integer(field, 1..=LONGEST_EDGE)? as u32)
+        let most = self.context.limits.picture_edge;
+        let edge = self.integer(field, 1..=i32::MAX.into())? as u32;
+        if edge > most {
+            let message = format!("the picture's edges may have at most {most} pixels");
+            let error = Diagnostic::error(Code::OverLimit, self.cursor.previous(), message);
+            return self.fail(error.label(format!("found {edge}")));
+        }
+        Ok(edge)
     }
 
     fn exponent(&mut self, field: Token<'_>) -> Read<i32> {
@@ -45,7 +57,7 @@ impl<'s> Parser<'s> {
 
     /// `bucket SIZE ORDER`
     pub(super) fn bucket(&mut self, keyword: Token<'s>) -> Read<Bucket> {
-        let size = self.integer(keyword, 1..=LONGEST_EDGE)? as u32;
+        let size = self.placed(|parser| Ok(parser.integer(keyword, 1..=i32::MAX.into())? as u32))?;
         let word = self.word(keyword)?;
         let (mut name, mut reversed) = (word.text, false);
         if let Some((first, second)) = name.split_once(' ').filter(|(first, _)| reverses(first)) {
@@ -56,17 +68,18 @@ impl<'s> Parser<'s> {
         }
         let order = BucketOrder::from_name(name).unwrap_or_else(|| {
             let default = BucketOrder::default();
-            let warning = Diagnostic::warning(word.span, format!("unknown bucket order {}", quoted(word)))
-                .label(format!("taken as `{}`", default.name()))
-                .help(format!("the orders are {}", BucketOrder::ALL.map(BucketOrder::name).join(", ")));
+            let warning =
+                Diagnostic::warning(Code::UnknownOrder, word.span, format!("unknown bucket order {}", quoted(word)))
+                    .label(format!("taken as `{}`", default.name()))
+                    .help(format!("the orders are {}", BucketOrder::ALL.map(BucketOrder::name).join(", ")));
             self.context.report(warning);
             default
         });
-        Ok(Bucket { size, order, reversed })
+        Ok(Bucket { size, order: Spanned::new(order, word.span.to(self.cursor.previous())), reversed })
     }
 
     pub(super) fn trace_depths(&mut self, keyword: Token<'s>) -> Read<TraceDepths> {
-        let block = self.open(keyword, &["diff", "refl", "refr"])?;
+        let block = self.open(keyword, &["diff", "refl", "refr"], &[])?;
         let mut depths = TraceDepths::default();
         self.fields(&block, |parser, field| {
             match field.text {
@@ -80,8 +93,8 @@ impl<'s> Parser<'s> {
         Ok(depths)
     }
 
-    pub(super) fn background(&mut self, keyword: Token<'s>) -> Read<Color> {
-        let block = self.open(keyword, &["color"])?;
+    pub(super) fn background(&mut self, keyword: Token<'s>) -> Read<Spanned<Color>> {
+        let block = self.open(keyword, &["color"], &[])?;
         let mut color = None;
         self.fields(&block, |parser, field| {
             if field.text != "color" {

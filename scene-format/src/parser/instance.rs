@@ -2,6 +2,7 @@ use super::Parser;
 use super::block::Field;
 use super::object::Common;
 use super::report::Read;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
 use crate::scene_file::Instance;
@@ -10,7 +11,7 @@ const FIELDS: &[&str] = &["name", "geometry", "transform", "shader", "shaders", 
 
 impl<'s> Parser<'s> {
     pub(super) fn instance(&mut self, keyword: Token<'s>) -> Read<Instance> {
-        let block = self.open(keyword, FIELDS)?;
+        let block = self.open(keyword, FIELDS, &[])?;
         let mut common = Common::default();
         let mut geometry = None;
         self.fields(&block, |parser, field| {
@@ -21,7 +22,7 @@ impl<'s> Parser<'s> {
             Ok(Field::Known)
         })?;
         if common.shaders.is_empty() {
-            let warning = Diagnostic::warning(keyword.span, "the instance names no shader");
+            let warning = Diagnostic::warning(Code::NoShader, keyword.span, "the instance names no shader");
             self.context.report(warning.help("write `shader <name>`: an instance does not take its geometry's"));
         }
         let geometry = self.require(&block, geometry, "geometry", "geometry <name of an object>")?;

@@ -19,16 +19,6 @@ pub(super) const BLOCKS: &[&str] = &[
 /// Statements that are a keyword and a few words, where no block has a field of that name.
 pub(super) const LINES: &[&str] = &["bucket", "texturepath", "includepath", "include", "override"];
 
-/// Types that Sunflow has and girasol does not render: they are told from types that nobody knows.
-#[rustfmt::skip]
-pub(super) const UNRENDERED_TYPES: &[&str] = &[
-    "spherical", "fisheye",
-    "amb-occ", "amb-occ2", "ward", "uber", "id", "view-caustics", "view-global", "view-irradiance", "janino",
-    "file-mesh", "bezier-mesh", "cylinder", "banchoff", "torus", "sphereflake", "teapot", "gumbo", "julia", "particles",
-    "hair", "janino-tesselatable",
-    "directional", "meshlight", "ibl", "sunsky", "cornellbox",
-];
-
 /// All statements.
 pub(super) fn statements() -> Vec<&'static str> {
     [BLOCKS, LINES, &["accel", "filter"]].concat()

@@ -1,4 +1,5 @@
 use super::{Context, Parser};
+use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::lexer::Token;
 
@@ -9,19 +10,18 @@ pub(super) struct Reported;
 /// A value, or an error that has been reported.
 pub(super) type Read<T> = Result<T, Reported>;
 
-/// After so many diagnostics the others are counted only: nobody reads more, and a hostile file must not fill the memory.
-const MOST_DIAGNOSTICS: usize = 1000;
-
 impl Context {
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
         if diagnostic.severity == Severity::Error {
             self.errors += 1;
         }
-        if self.diagnostics.len() < MOST_DIAGNOSTICS {
+        let most = self.limits.messages;
+        if self.diagnostics.len() < most {
             self.diagnostics.push(diagnostic);
-        } else if self.diagnostics.len() == MOST_DIAGNOSTICS {
-            let message = format!("more than {MOST_DIAGNOSTICS} messages: the others are left out");
-            self.diagnostics.push(Diagnostic::error(diagnostic.span, message));
+        } else if self.diagnostics.len() == most {
+            // An error: among what is left out there may be one.
+            let message = format!("more than {most} messages: the others are left out");
+            self.diagnostics.push(Diagnostic::error(Code::OverLimit, diagnostic.span, message));
         }
     }
 }
@@ -36,7 +36,7 @@ impl Parser<'_> {
     /// Reports that something else should stand where the next word stands.
     pub(super) fn fail_expected<T>(&mut self, message: impl Into<String>, expected: &str) -> Read<T> {
         let label = format!("expected {expected}, found {}", self.found());
-        let error = Diagnostic::error(self.cursor.here(), message).label(label);
+        let error = Diagnostic::error(Code::Expected, self.cursor.here(), message).label(label);
         self.fail(error)
     }
 

@@ -1,9 +1,11 @@
-use super::block::{Block, Field, kept, texts};
+use super::block::{Block, Field};
 use super::report::Read;
+use super::unrendered::OtherFields;
 use super::{Parser, Reported};
+use crate::grammar;
 use crate::lexer::Token;
 use crate::number;
-use crate::scene_file::{Absorption, Color, Other, Paint, Shader, ShaderKind};
+use crate::scene_file::{Absorption, Color, Kind, Paint, Shader, ShaderKind};
 use crate::span::Spanned;
 
 const TYPES: &[&str] = &["constant", "diffuse", "phong", "mirror", "glass", "shiny"];
@@ -24,29 +26,44 @@ const FIELDS: &[&str] = &[
 ];
 
 /// The fields of all types, as far as they were there.
-#[derive(Default)]
 struct Fields<'s> {
     name: Option<Spanned<String>>,
     diffuse: Option<Paint>,
-    specular: Option<(Color, f32)>,
-    samples: Option<u32>,
-    mirror: Option<Color>,
-    reflection: Option<f32>,
-    eta: Option<f32>,
-    color: Option<Color>,
+    specular: Option<(Spanned<Color>, Spanned<f32>)>,
+    samples: Option<Spanned<u32>>,
+    mirror: Option<Spanned<Color>>,
+    reflection: Option<Spanned<f32>>,
+    eta: Option<Spanned<f32>>,
+    color: Option<Spanned<Color>>,
     absorption: Absorption,
-    /// Of a type that is not rendered: its words.
-    other: Vec<Token<'s>>,
+    /// Of a type that is not rendered.
+    other: OtherFields<'s>,
 }
 
 impl<'s> Parser<'s> {
     pub(super) fn shader(&mut self, keyword: Token<'s>) -> Read<Shader> {
-        let block = self.open(keyword, FIELDS)?;
+        let block = self.open(keyword, FIELDS, grammar::SHADERS)?;
         let kind = self.find_type(&block, TYPES)?;
-        if !TYPES.contains(&kind.text) {
-            self.warn_of_type(&block, kind, TYPES, "drawn as a matt surface");
+        let other = OtherFields::new(kind, grammar::SHADERS);
+        if let OtherFields::Unrendered { .. } = other {
+            self.warn_of_unrendered(&block, kind, TYPES, "drawn as a matt surface");
+        } else if !TYPES.contains(&kind.text) {
+            let known: Vec<&str> =
+                TYPES.iter().copied().chain(grammar::SHADERS.iter().map(|(name, _)| *name)).collect();
+            self.warn_of_unknown(&block, kind, &known, "drawn as a matt surface");
         }
-        let mut fields = Fields::default();
+        let mut fields = Fields {
+            name: None,
+            diffuse: None,
+            specular: None,
+            samples: None,
+            mirror: None,
+            reflection: None,
+            eta: None,
+            color: None,
+            absorption: Absorption::default(),
+            other,
+        };
         self.fields(&block, |parser, field| parser.shader_field(kind, &mut fields, field))?;
         let name = fields.name.take();
         let name = self.require(&block, name, "name", "name <name>");
@@ -68,7 +85,7 @@ impl<'s> Parser<'s> {
                     fields.color = Some(self.color(field)?);
                 }
             }
-            (_, other) if !TYPES.contains(&other) => return self.collect(field, &mut fields.other),
+            (_, other) if !TYPES.contains(&other) => return self.other_field(&mut fields.other, field),
             ("diff", "diffuse" | "phong" | "shiny") => fields.diffuse = Some(Paint::Color(self.color(field)?)),
             ("texture", "diffuse" | "phong" | "shiny") => fields.diffuse = Some(Paint::Texture(self.string(field)?)),
             ("spec", "phong") => fields.specular = Some((self.color(field)?, self.float(field)?)),
@@ -109,10 +126,10 @@ impl<'s> Parser<'s> {
                 let reflection = self.require(block, fields.reflection, "refl", "refl <share>");
                 Ok(ShaderKind::Shiny { diffuse: diffuse?, reflection: reflection? })
             }
-            _ => {
-                let diffuse = own_paint(&fields.other);
-                Ok(ShaderKind::Other { block: Other { keyword: kept(kind), words: texts(&fields.other) }, diffuse })
-            }
+            _ => Ok(match fields.other.finish() {
+                Kind::Unrendered(block) => ShaderKind::Unrendered(block),
+                Kind::Unknown(block) => ShaderKind::Unknown { paint: paint_among(&block.words), block },
+            }),
         }
     }
 
@@ -121,24 +138,26 @@ impl<'s> Parser<'s> {
     }
 }
 
-/// The diffuse paint among the words of a shader that is not rendered; a texture before a colour, as `uber` has it.
-fn own_paint(words: &[Token<'_>]) -> Option<Paint> {
+/// The diffuse paint among the words of a type that nobody knows; a texture before a colour.
+fn paint_among(words: &[Spanned<String>]) -> Option<Paint> {
     let after = |names: &[&str]| {
-        let at = words.iter().position(|word| names.contains(&word.text))?;
+        let at = words.iter().position(|word| names.contains(&word.as_str()))?;
         words.get(at + 1..)
     };
-    let texture = after(&["texture", "diff.texture"]).and_then(|words| words.first());
-    if let Some(file) = texture {
-        return Some(Paint::Texture(kept(*file)));
+    if let Some(file) = after(&["texture", "diff.texture"]).and_then(|words| words.first()) {
+        return Some(Paint::Texture(file.clone()));
     }
-    let words: Vec<&str> = after(&["diff", "bright"])?.iter().take(5).map(|word| word.text).collect();
+    let words = after(&["diff", "bright"])?;
+    let place = words.first()?.span;
+    let words: Vec<&str> = words.iter().take(5).map(|word| word.as_str()).collect();
     let color =
         |r: &str, g: &str, b: &str| Some([number::float(r).ok()?, number::float(g).ok()?, number::float(b).ok()?]);
-    Some(Paint::Color(match *words.as_slice() {
+    let color = match *words.as_slice() {
         ["{", "sRGB nonlinear", r, g, b] => Color::SrgbNonlinear(color(r, g, b)?),
         ["{", "sRGB linear", r, g, b] => Color::SrgbLinear(color(r, g, b)?),
         ["{", "XYZ", r, g, b] => Color::Xyz(color(r, g, b)?),
         [r, g, b, ..] => Color::Bare(color(r, g, b)?),
         _ => return None,
-    }))
+    };
+    Some(Paint::Color(Spanned::new(color, place)))
 }

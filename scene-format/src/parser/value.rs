@@ -3,6 +3,7 @@ use std::ops::RangeInclusive;
 
 use super::report::Read;
 use super::{Parser, Reported};
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{Token, is_number};
 use crate::number::{self, BadNumber, Number};
@@ -26,6 +27,13 @@ impl<'s> Parser<'s> {
         Ok(Spanned::new(token.text.to_owned(), token.span))
     }
 
+    /// What `read` reads, with its place.
+    pub(super) fn placed<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<Spanned<T>> {
+        let start = self.cursor.here();
+        let value = read(self)?;
+        Ok(Spanned::new(value, start.to(self.cursor.previous())))
+    }
+
     /// A number of any kind.
     pub(super) fn number<T: Number>(&mut self, field: Token<'_>) -> Read<T> {
         match self.cursor.peek().map(|token| T::read(token.text)) {
@@ -46,7 +54,8 @@ impl<'s> Parser<'s> {
             BadNumber::OutOfRange => format!("{found} is out of range for `{}`", field.text),
             BadNumber::NotANumber => format!("`{}` needs {expected}", field.text),
         };
-        let error = Diagnostic::error(self.cursor.here(), message).label(format!("expected {expected}, found {found}"));
+        let error = Diagnostic::error(bad.code(), self.cursor.here(), message)
+            .label(format!("expected {expected}, found {found}"));
         let error = match self.number_help(bad) {
             Some(help) => error.help(help),
             None => error,
@@ -67,28 +76,35 @@ impl<'s> Parser<'s> {
         }
     }
 
-    pub(super) fn float(&mut self, field: Token<'_>) -> Read<f32> {
-        self.number(field)
+    pub(super) fn float(&mut self, field: Token<'_>) -> Read<Spanned<f32>> {
+        self.placed(|parser| parser.number(field))
     }
 
     /// So many floats.
-    pub(super) fn floats<const N: usize>(&mut self, field: Token<'_>) -> Read<[f32; N]> {
-        let mut numbers = [0.0; N];
-        for number in &mut numbers {
-            *number = self.float(field)?;
-        }
-        Ok(numbers)
+    pub(super) fn floats<const N: usize>(&mut self, field: Token<'_>) -> Read<Spanned<[f32; N]>> {
+        self.placed(|parser| {
+            let mut numbers = [0.0; N];
+            for number in &mut numbers {
+                *number = parser.number(field)?;
+            }
+            Ok(numbers)
+        })
     }
 
     /// A float that must fulfil a condition, which `condition` words: "greater than 0".
-    pub(super) fn float_that(&mut self, field: Token<'_>, condition: &str, holds: impl Fn(f32) -> bool) -> Read<f32> {
+    pub(super) fn float_that(
+        &mut self,
+        field: Token<'_>,
+        condition: &str,
+        holds: impl Fn(f32) -> bool,
+    ) -> Read<Spanned<f32>> {
         let found = self.found();
         let number = self.float(field)?;
-        if holds(number) {
+        if holds(number.value) {
             return Ok(number);
         }
         let message = format!("`{}` must be {condition}", field.text);
-        self.fail(Diagnostic::error(self.cursor.previous(), message).label(format!("found {found}")))
+        self.fail(Diagnostic::error(Code::OutOfRange, number.span, message).label(format!("found {found}")))
     }
 
     /// A whole number within a range.
@@ -107,24 +123,27 @@ impl<'s> Parser<'s> {
             return Ok(number);
         }
         let message = format!("`{}` must be from {} to {}", field.text, range.start(), range.end());
-        self.fail(Diagnostic::error(token.span, message).label(format!("found {found}")))
+        self.fail(Diagnostic::error(Code::OutOfRange, token.span, message).label(format!("found {found}")))
     }
 
     /// A count that Sunflow takes as 0 when it is negative.
-    pub(super) fn count(&mut self, field: Token<'_>) -> Read<u32> {
-        let number = self.integer(field, i32::MIN.into()..=i32::MAX.into())?;
-        Ok(u32::try_from(number).unwrap_or(0))
+    pub(super) fn count(&mut self, field: Token<'_>) -> Read<Spanned<u32>> {
+        self.placed(|parser| {
+            let number = parser.integer(field, i32::MIN.into()..=i32::MAX.into())?;
+            Ok(u32::try_from(number).unwrap_or(0))
+        })
     }
 
     /// `true` in any case; everything else is false, as in Sunflow, but not in silence.
-    pub(super) fn boolean(&mut self, field: Token<'_>) -> Read<bool> {
+    pub(super) fn boolean(&mut self, field: Token<'_>) -> Read<Spanned<bool>> {
         let token = self.word(field)?;
         let value = token.text.eq_ignore_ascii_case("true");
         if !value && !token.text.eq_ignore_ascii_case("false") {
-            let warning = Diagnostic::warning(token.span, format!("`{}` needs `true` or `false`", field.text));
+            let message = format!("`{}` needs `true` or `false`", field.text);
+            let warning = Diagnostic::warning(Code::NotAFlag, token.span, message);
             self.context.report(warning.label("read as `false`"));
         }
-        Ok(value)
+        Ok(Spanned::new(value, token.span))
     }
 
     /// Takes the next word when it is this one.
@@ -149,7 +168,7 @@ impl<'s> Parser<'s> {
             return Ok(());
         }
         let label = format!("expected `}}`, found {}", self.found());
-        let error = Diagnostic::error(self.cursor.here(), format!("{group} is not closed"))
+        let error = Diagnostic::error(Code::UnclosedGroup, self.cursor.here(), format!("{group} is not closed"))
             .label(label)
             .note(open.span, "opened here")
             .help("put a `}` before this");

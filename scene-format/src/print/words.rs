@@ -1,6 +1,7 @@
 use std::fmt::Display;
 
 use crate::scene_file::Color;
+use crate::span::Spanned;
 
 /// Puts lines together, indented by the blocks that they stand in.
 #[derive(Default)]
@@ -29,7 +30,7 @@ impl Writer {
 
     /// A block in braces with what `content` writes.
     pub(super) fn block(&mut self, keyword: &str, content: impl FnOnce(&mut Self)) {
-        self.line(&format!("{keyword} {{"));
+        self.line(&format!("{keyword}{}{{", if keyword.is_empty() { "" } else { " " }));
         self.indent.push_str("  ");
         content(self);
         self.indent.truncate(self.indent.len().saturating_sub(2));
@@ -37,25 +38,38 @@ impl Writer {
     }
 
     /// Words that were kept as they are, on one line; program text between `<code>` and `</code>` line by line.
-    pub(super) fn words(&mut self, first: &str, words: &[String]) {
+    pub(super) fn words(&mut self, first: &str, words: &[Spanned<String>]) {
         let mut line = first.to_owned();
         let mut words = words.iter();
         while let Some(word) = words.next() {
             line.push(' ');
             line.push_str(&quote(word));
             let code = words.as_slice();
-            if word == "<code>" && code.iter().any(|word| word == "</code>") {
+            if word.value == "<code>" && code.iter().any(|word| word.value == "</code>") {
                 self.line(&line);
                 line.clear();
-                for code in words.by_ref().take_while(|word| *word != "</code>") {
-                    self.text.push_str(code);
-                    self.text.push('\n');
-                }
+                let lines = words.by_ref().take_while(|word| word.value != "</code>");
+                self.raw(lines.map(|line| line.as_str()));
                 self.line("</code>");
             }
         }
         if !line.is_empty() {
             self.line(&line);
+        }
+    }
+
+    /// Program text after the word that begins it.
+    pub(super) fn code(&mut self, begin: &str, lines: &[String]) {
+        self.line(begin);
+        self.raw(lines.iter().map(String::as_str));
+        self.line("</code>");
+    }
+
+    /// Lines as they are.
+    fn raw<'l>(&mut self, lines: impl Iterator<Item = &'l str>) {
+        for line in lines {
+            self.text.push_str(line);
+            self.text.push('\n');
         }
     }
 }
@@ -83,11 +97,15 @@ pub(super) fn floats(numbers: &[f32]) -> String {
     numbers.iter().map(|&value| number(value)).collect::<Vec<_>>().join(" ")
 }
 
-pub(super) fn color(color: Color) -> String {
+pub(super) fn color(color: &Color) -> String {
     match color {
-        Color::Bare(channels) => floats(&channels),
-        Color::SrgbNonlinear(channels) => format!("{{ \"sRGB nonlinear\" {} }}", floats(&channels)),
-        Color::SrgbLinear(channels) => format!("{{ \"sRGB linear\" {} }}", floats(&channels)),
-        Color::Xyz(channels) => format!("{{ XYZ {} }}", floats(&channels)),
+        Color::Bare(channels) => floats(channels),
+        Color::SrgbNonlinear(channels) => format!("{{ \"sRGB nonlinear\" {} }}", floats(channels)),
+        Color::SrgbLinear(channels) => format!("{{ \"sRGB linear\" {} }}", floats(channels)),
+        Color::Xyz(channels) => format!("{{ XYZ {} }}", floats(channels)),
+        Color::Blackbody(kelvin) => format!("{{ blackbody {} }}", number(*kelvin)),
+        Color::Spectrum { range, values } => {
+            format!("{{ \"spectrum {}\" {} {} }}", floats(range), values.len(), floats(values))
+        }
     }
 }

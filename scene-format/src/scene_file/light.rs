@@ -1,24 +1,33 @@
-use super::{Color, Other, Triple};
+use super::{Color, Mesh, Triple, Unknown, Unrendered};
+use crate::span::Spanned;
 
 /// `light { type KIND ... }`
 #[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// What kind of light.
-    pub kind: LightKind,
-}
-
-/// What kind of light.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LightKind {
+pub enum Light {
     /// `point`: `color <color> power <float> p <point>`
     Point {
         /// Its colour.
-        color: Color,
+        color: Spanned<Color>,
         /// Its power. `None` is the old form `power <color> p <point>`, where the colour is colour times power.
-        power: Option<f32>,
+        power: Option<Spanned<f32>>,
         /// Where it stands.
-        position: Triple,
+        position: Spanned<Triple>,
     },
-    /// Any other type: not rendered.
-    Other(Other),
+    /// `meshlight`, or `mesh` in the old form: triangles that shine; not rendered.
+    Mesh {
+        /// `name NAME`
+        name: Option<Spanned<String>>,
+        /// `emit <color>`
+        emission: Spanned<Color>,
+        /// `radiance <float>`: multiplies the colour.
+        radiance: Option<Spanned<f32>>,
+        /// `samples <int>`
+        samples: Option<Spanned<u32>>,
+        /// The triangles, with the place of the type.
+        mesh: Box<Spanned<Mesh>>,
+    },
+    /// Another type of Sunflow's: not rendered.
+    Unrendered(Unrendered),
+    /// A type that nobody knows.
+    Unknown(Unknown),
 }

@@ -1,4 +1,4 @@
-use super::{Color, Other, Paint};
+use super::{Color, Paint, Unknown, Unrendered, Value};
 use crate::span::Spanned;
 
 /// `shader { name NAME type KIND ... }`
@@ -14,7 +14,7 @@ pub struct Shader {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShaderKind {
     /// `constant`: one colour.
-    Constant(Color),
+    Constant(Spanned<Color>),
     /// `diffuse`: a matt surface; phong without a highlight.
     Diffuse(Paint),
     /// `phong`: a matt surface with a highlight.
@@ -22,20 +22,20 @@ pub enum ShaderKind {
         /// The matt part.
         diffuse: Paint,
         /// The colour of the highlight.
-        specular: Color,
+        specular: Spanned<Color>,
         /// How narrow the highlight is.
-        exponent: f32,
+        exponent: Spanned<f32>,
         /// `samples`: Sunflow's glossy reflection rays, which girasol does not trace.
-        samples: Option<u32>,
+        samples: Option<Spanned<u32>>,
     },
     /// `mirror`: `refl <color>`.
-    Mirror(Color),
+    Mirror(Spanned<Color>),
     /// `glass`
     Glass {
         /// The index of refraction inside over that outside, greater than 0.
-        eta: f32,
+        eta: Spanned<f32>,
         /// Multiplies what passes each surface.
-        color: Color,
+        color: Spanned<Color>,
         /// What is lost on the way through the glass.
         absorption: Absorption,
     },
@@ -44,22 +44,48 @@ pub enum ShaderKind {
         /// The matt part.
         diffuse: Paint,
         /// The mirror's share at normal incidence.
-        reflection: f32,
+        reflection: Spanned<f32>,
     },
-    /// Any other type: rendered as a matt surface with the block's own diffuse paint, where it has one.
-    Other {
-        /// The type, and all words of the block after it.
-        block: Other,
-        /// What `diff` or `texture` gave in it.
-        diffuse: Option<Paint>,
+    /// Another type of Sunflow's: rendered as a matt surface with the block's own [paint](Self::own_paint), where it has one.
+    Unrendered(Unrendered),
+    /// A type that nobody knows: rendered likewise.
+    Unknown {
+        /// The words.
+        block: Unknown,
+        /// What `diff` or `texture` seems to give among them.
+        paint: Option<Paint>,
     },
 }
 
 /// What glass takes from the light on its way. Both parts are optional in the file.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Absorption {
     /// `absorption.distance`: the length at which the colour's full effect is reached; 0 or `None` switches absorption off.
-    pub distance: Option<f32>,
+    pub distance: Option<Spanned<f32>>,
     /// `absorption.color`: grey 0.5 (linear) unless given.
-    pub color: Option<Color>,
+    pub color: Option<Spanned<Color>>,
+}
+
+impl ShaderKind {
+    /// What covers the surface of a type that is not rendered; a texture before a colour, as `uber` has it.
+    pub fn own_paint(&self) -> Option<Paint> {
+        let block = match self {
+            Self::Unrendered(block) => block,
+            Self::Unknown { paint, .. } => return paint.clone(),
+            _ => return None,
+        };
+        let first = |names: [&str; 2]| {
+            let field = block.fields.iter().find(|field| names.contains(&field.name.as_str()))?;
+            field.values.first()
+        };
+        match (first(["texture", "diff.texture"]), first(["diff", "bright"])) {
+            (Some(Spanned { value: Value::Word(file), span }), _) => {
+                Some(Paint::Texture(Spanned::new(file.clone(), *span)))
+            }
+            (_, Some(Spanned { value: Value::Color(color), span })) => {
+                Some(Paint::Color(Spanned::new(color.clone(), *span)))
+            }
+            _ => None,
+        }
+    }
 }

@@ -1,3 +1,5 @@
+use crate::span::Spanned;
+
 /// Places an object in the world (or a camera, from its own space into the world's).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Transform {
@@ -6,7 +8,14 @@ pub enum Transform {
     /// `col` and 16 numbers, column by column.
     Col([f32; 16]),
     /// `{ step step ... }`: applied to the object in the order written, the first step first.
-    Steps(Vec<TransformStep>),
+    Steps(Vec<Spanned<TransformStep>>),
+    /// `steps N times T0 T1` and N transforms, none of them moving: an object that moves. The first is rendered.
+    Moving {
+        /// When it stands at the first and at the last.
+        times: Spanned<[f32; 2]>,
+        /// At least one.
+        steps: Vec<Spanned<Transform>>,
+    },
 }
 
 /// One step of a transform. Angles are in degrees, counter-clockwise seen from the tip of the axis.

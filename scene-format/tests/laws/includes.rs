@@ -3,7 +3,7 @@ use scene_format::{FileError, Files, Parsed, parse};
 
 use crate::{Table, messages};
 
-fn read(files: &'static [(&'static str, &'static str)]) -> Parsed {
+fn read(files: &'static [(&'static str, &'static str)]) -> Parsed<'static> {
     parse("scenes/main.sc", files[0].1, &Table(files))
 }
 
@@ -46,7 +46,7 @@ fn an_include_path_counts_from_the_file_that_names_it() {
 #[test]
 fn messages_name_the_file_that_they_are_about() {
     let parsed = read(&[("main.sc", "\ninclude a.sc"), ("a.sc", "bucket 8 row\n\nshader { }")]);
-    insta::assert_snapshot!(messages(&parsed), @"a.sc:3:1: error: the shader has no `type` [expected `type <type>` in this block] (types that are rendered: constant, diffuse, phong, mirror, glass, shiny)");
+    insta::assert_snapshot!(messages(&parsed), @"a.sc:3:1: error[SC112]: the shader has no `type` [expected `type <type>` in this block] (types that are rendered: constant, diffuse, phong, mirror, glass, shiny)");
 }
 
 #[test]
@@ -56,10 +56,10 @@ fn includes_that_cannot_be_read_are_errors() {
         ("parts/empty.sc", " % nothing"),
     ]);
     insta::assert_snapshot!(messages(&parsed), @"
-        scenes/main.sc:1:27: error: cannot find the include `missing.sc` (looked in the scene's own directory, `parts/`; `includepath` adds a directory)
-        scenes/main.sc:1:46: error: cannot include `a.sca`: only .sc files are read
-        scenes/main.sc:1:77: error: `main.sc` includes itself [main.sc -> main.sc]
-        parts/empty.sc:1:11: warning: the file has no statement
+        scenes/main.sc:1:27: error[SC501]: cannot find the include `missing.sc` (looked in the scene's own directory, `parts/`; `includepath` adds a directory)
+        scenes/main.sc:1:46: error[SC502]: cannot include `a.sca`: only .sc files are read
+        scenes/main.sc:1:77: error[SC503]: `main.sc` includes itself [main.sc -> main.sc]
+        parts/empty.sc:1:11: warning[SC116]: the file has no statement
     ");
 }
 
@@ -77,15 +77,15 @@ fn a_file_that_cannot_be_read_says_why() {
     }
     let parsed = parse("main.sc", "include picture.sc include a.sc", &Locked);
     insta::assert_snapshot!(messages(&parsed), @"
-        main.sc:1:9: error: cannot read `picture.sc`: this is not a text file
-        main.sc:1:28: error: cannot read the include `a.sc`: permission denied
+        main.sc:1:9: error[SC502]: cannot read `picture.sc`: this is not a text file
+        main.sc:1:28: error[SC502]: cannot read the include `a.sc`: permission denied
     ");
 }
 
 #[test]
 fn files_that_include_each_other_are_an_error() {
     let parsed = read(&[("main.sc", "include a.sc"), ("a.sc", "include ./b.sc"), ("b.sc", "include a.sc")]);
-    insta::assert_snapshot!(messages(&parsed), @"b.sc:1:9: error: `a.sc` includes itself [main.sc -> a.sc -> b.sc -> a.sc]");
+    insta::assert_snapshot!(messages(&parsed), @"b.sc:1:9: error[SC503]: `a.sc` includes itself [main.sc -> a.sc -> b.sc -> a.sc]");
 }
 
 /// Every file includes the next one, and for each name there is one.

@@ -2,6 +2,7 @@
 
 mod diagnostics;
 mod includes;
+mod layout;
 mod round_trip;
 mod strategies;
 mod tolerance;
@@ -22,7 +23,7 @@ impl Files for Table {
     }
 }
 
-fn read(source: &str) -> Parsed {
+fn read(source: &str) -> Parsed<'_> {
     parse("scene.sc", source, &NoFiles)
 }
 
@@ -48,15 +49,23 @@ fn object(source: &str) -> Object {
     }
 }
 
-/// All messages, one a line: `file:line:column: severity: message [label] {note} (help)`.
-fn messages(parsed: &Parsed) -> String {
+/// All messages, one a line: `file:line:column: severity[code]: message [label] {note} (help)`.
+fn messages(parsed: &Parsed<'_>) -> String {
     let mut text = String::new();
     for diagnostic in &parsed.diagnostics {
         let place = |span| {
             let at = parsed.sources.line_column(span);
             format!("{}:{}:{}", parsed.sources.files[span.file as usize].name, at.line, at.column)
         };
-        write!(text, "{}: {}: {}", place(diagnostic.span), diagnostic.severity, diagnostic.message).unwrap();
+        write!(
+            text,
+            "{}: {}[{}]: {}",
+            place(diagnostic.span),
+            diagnostic.severity,
+            diagnostic.code,
+            diagnostic.message
+        )
+        .unwrap();
         if !diagnostic.label.is_empty() {
             write!(text, " [{}]", diagnostic.label).unwrap();
         }

@@ -1,6 +1,6 @@
 use proptest::prelude::*;
 use scene_format::scene_file::{Color, Statement};
-use scene_format::{SceneFile, print};
+use scene_format::{SceneFile, Spanned, print};
 
 use crate::strategies::{float, scene};
 use crate::{messages, read, statements};
@@ -19,11 +19,13 @@ proptest! {
 
     #[test]
     fn a_number_keeps_every_bit(number in float()) {
-        let background = Statement::Background(Color::Bare([number, 0.0, 0.0]));
+        let background = Statement::Background(Color::Bare([number, 0.0, 0.0]).into());
         let text = print(&SceneFile { statements: vec![background.into()] });
         // Bits, since equal floats may differ in the sign of zero.
         match statements(&text).as_slice() {
-            [Statement::Background(Color::Bare([read, ..]))] => prop_assert_eq!(read.to_bits(), number.to_bits(), "{}", text),
+            [Statement::Background(Spanned { value: Color::Bare([read, ..]), .. })] => {
+                prop_assert_eq!(read.to_bits(), number.to_bits(), "{}", text);
+            }
             other => prop_assert!(false, "{other:?}"),
         }
     }

@@ -1,7 +1,7 @@
 //! What real files do and Sunflow does not accept, and how it is read all the same.
 
 use scene_format::scene_file::*;
-use scene_format::{NoFiles, parse};
+use scene_format::{NoFiles, Spanned, parse};
 
 use crate::{messages, object, read, shader, statements};
 
@@ -67,7 +67,7 @@ fn a_generic_mesh_needs_neither_normals_nor_uvs() {
         panic!("not a mesh");
     };
     assert_eq!(
-        (mesh.normals, mesh.uvs),
+        (mesh.normals.value, mesh.uvs.value),
         (PerVertex::None, PerVertex::Vertex(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
     );
 }
@@ -78,17 +78,18 @@ fn the_old_form_of_a_mesh_is_read_into_the_same_lists() {
     let text = format!("object {{ shader a type mesh name m 3 1\n{}{}{}t 2 1 0 }}", line(0), line(1), line(2));
     let Shape::Mesh(mesh) = object(&text).shape.value else { panic!("not a mesh") };
     assert_eq!(mesh.form, MeshForm::Lines);
-    assert_eq!(mesh.points, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
-    assert_eq!(mesh.triangles, [[2, 1, 0]]);
-    assert_eq!(mesh.normals, PerVertex::Vertex(vec![[0.0, 0.0, 1.0]; 3]));
-    assert_eq!(mesh.uvs, PerVertex::Vertex(vec![[0.5, 0.0], [0.5, 1.0], [0.5, 2.0]]));
+    assert_eq!(*mesh.points, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
+    assert_eq!(*mesh.triangles, [[2, 1, 0]]);
+    assert_eq!(*mesh.normals, PerVertex::Vertex(vec![[0.0, 0.0, 1.0]; 3]));
+    assert_eq!(*mesh.uvs, PerVertex::Vertex(vec![[0.5, 0.0], [0.5, 1.0], [0.5, 2.0]]));
 }
 
 #[test]
 fn a_box_and_single_axis_scales_are_known() {
     let object = object("object { type box shader a transform { scalex 1 scaley 2 scalez 3 } }");
     assert_eq!(object.shape.value, Shape::Box);
-    let steps = vec![TransformStep::ScaleX(1.0), TransformStep::ScaleY(2.0), TransformStep::ScaleZ(3.0)];
+    let steps = [TransformStep::ScaleX(1.0), TransformStep::ScaleY(2.0), TransformStep::ScaleZ(3.0)];
+    let steps = steps.map(Spanned::from).to_vec();
     assert_eq!(object.transform.unwrap().value, Transform::Steps(steps));
 }
 
@@ -100,68 +101,115 @@ fn the_colour_of_a_constant_shader_needs_no_keyword() {
 #[test]
 fn a_point_light_may_have_its_old_form() {
     let light = |power: &str| statements(&format!("light {{ type point power {power} p 1 2 3 }}"));
-    let point = LightKind::Point { color: Color::Bare([4.0, 5.0, 6.0]), power: None, position: [1.0, 2.0, 3.0] };
-    assert_eq!(light("4 5 6"), [Statement::Light(Light { kind: point })]);
-    let point = LightKind::Point { color: Color::Xyz([4.0, 5.0, 6.0]), power: None, position: [1.0, 2.0, 3.0] };
-    assert_eq!(light("{ XYZ 4 5 6 }"), [Statement::Light(Light { kind: point })]);
+    let point = |color: Color| {
+        [Statement::Light(Light::Point { color: color.into(), power: None, position: [1.0, 2.0, 3.0].into() })]
+    };
+    assert_eq!(light("4 5 6"), point(Color::Bare([4.0, 5.0, 6.0])));
+    assert_eq!(light("{ XYZ 4 5 6 }"), point(Color::Xyz([4.0, 5.0, 6.0])));
 }
 
 #[test]
 fn a_stray_number_is_skipped() {
     let glass =
         shader("shader { name a type glass eta 1.3 color 1 1 1 absorbtion.distance 3 absorbtion.color 1 1 1 50 }");
-    let absorption = Absorption { distance: Some(3.0), color: Some(Color::Bare([1.0; 3])) };
-    assert_eq!(glass.kind, ShaderKind::Glass { eta: 1.3, color: Color::Bare([1.0; 3]), absorption });
+    let white = Spanned::from(Color::Bare([1.0; 3]));
+    let absorption = Absorption { distance: Some(3.0.into()), color: Some(white.clone()) };
+    assert_eq!(glass.kind, ShaderKind::Glass { eta: 1.3.into(), color: white, absorption });
+}
+
+fn paint(text: &str) -> Option<Paint> {
+    shader(&format!("shader {{ name a type {text} }}")).kind.own_paint()
 }
 
 #[test]
 fn an_unknown_shader_keeps_its_words_and_its_own_paint() {
-    let paint = |text: &str| match shader(&format!("shader {{ name a type ward {text} rough .1 .2 }}")).kind {
-        ShaderKind::Other { block, diffuse } => (block.words.join(" "), diffuse),
+    let words = |text: &str| match shader(&format!("shader {{ name a type marble {text} rough .1 .2 }}")).kind {
+        ShaderKind::Unknown { block, .. } => block.words.iter().map(|word| word.as_str()).collect::<Vec<_>>().join(" "),
         kind => panic!("{kind:?}"),
     };
-    let red = Some(Paint::Color(Color::SrgbLinear([1.0, 0.0, 0.0])));
-    assert_eq!(paint("diff { \"sRGB linear\" 1 0 0 }"), ("diff { sRGB linear 1 0 0 } rough .1 .2".to_owned(), red));
-    assert_eq!(paint("diff 1 2 3").1, Some(Paint::Color(Color::Bare([1.0, 2.0, 3.0]))));
-    assert_eq!(paint("texture \"a b.png\"").1, Some(Paint::Texture("a b.png".to_owned().into())));
-    assert_eq!(paint("diff 1").1, None);
+    assert_eq!(words("diff { \"sRGB linear\" 1 0 0 }"), "diff { sRGB linear 1 0 0 } rough .1 .2");
+    let color = |color: Color| Some(Paint::Color(color.into()));
+    for kind in ["marble", "ward"] {
+        assert_eq!(
+            paint(&format!("{kind} diff {{ \"sRGB linear\" 1 0 0 }}")),
+            color(Color::SrgbLinear([1.0, 0.0, 0.0]))
+        );
+        assert_eq!(paint(&format!("{kind} diff 1 2 3 rough 1 2")), color(Color::Bare([1.0, 2.0, 3.0])));
+        assert_eq!(paint(&format!("{kind} texture \"a b.png\"")), Some(Paint::Texture("a b.png".to_owned().into())));
+        assert_eq!(paint(kind), None);
+    }
+    assert_eq!(paint("marble diff 1"), None);
+    // As Sunflow's `uber` has it: a texture covers the colour.
+    assert_eq!(
+        paint("uber diff 1 2 3 diff.texture t.png diff.blend .5"),
+        Some(Paint::Texture("t.png".to_owned().into()))
+    );
 }
 
 #[test]
-fn of_a_moving_object_the_first_place_is_taken() {
-    let object = object("object { shader a transform steps 2 times 0 1 { scaleu 1 } { scaleu 2 } type sphere }");
-    assert_eq!(object.transform.unwrap().value, Transform::Steps(vec![TransformStep::ScaleUniform(1.0)]));
+fn what_moves_keeps_all_its_places() {
+    let object = object(
+        "object { shader a transform steps 2 times 0 1 { scaleu 1 } row 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 type sphere }",
+    );
+    let Some(Spanned { value: Transform::Moving { times, steps }, .. }) = object.transform else { panic!("still") };
+    assert_eq!(times.value, [0.0, 1.0]);
+    assert_eq!(*steps[0], Transform::Steps(vec![TransformStep::ScaleUniform(1.0).into()]));
+    assert!(matches!(*steps[1], Transform::Row(_)));
     let camera =
         "camera { type pinhole steps 2 times 0 1 { eye 1 1 1 target 0 0 0 up 0 0 1 } transform { } fov 45 aspect 1 }";
     match statements(camera).as_slice() {
-        [Statement::Camera(Camera { placement: CameraPlacement::LookAt { eye, .. }, .. })] => {
-            assert_eq!(*eye, [1.0; 3]);
+        [Statement::Camera(Camera { placement: CameraPlacement::Moving { steps, .. }, .. })] => {
+            assert!(matches!(steps[0], CameraPlacement::LookAt { eye, .. } if *eye == [1.0; 3]));
+            assert!(matches!(steps[1], CameraPlacement::Transform(_)));
         }
         other => panic!("{other:?}"),
     }
 }
 
 #[test]
-fn statements_that_are_read_over_keep_their_words() {
+fn colours_may_be_spectra() {
+    let color = |text: &str| match statements(&format!("background {{ color {{ {text} }} }}")).as_slice() {
+        [Statement::Background(color)] => color.value.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(color("blackbody 6500"), Color::Blackbody(6500.0));
+    let spectrum = Color::Spectrum { range: [400.0, 700.0], values: vec![0.25, 0.5, 1.0] };
+    assert_eq!(color("\"spectrum 400 700\" 3 .25 .5 1"), spectrum);
+    assert_eq!(color("spectrum 400 700 3 .25 .5 1"), spectrum);
+}
+
+#[test]
+fn types_that_are_not_rendered_are_read_with_their_values() {
+    let photons = "photons { emit 10 global kd 100 0.5 caustics 7 none 0 0 }";
+    let [Statement::Photons(photons)] = &statements(photons)[..] else { panic!("no photons") };
+    let fields: Vec<_> = photons.fields.iter().map(|field| (field.name.as_str(), field.values.len())).collect();
+    assert_eq!(fields, [("emit", 1), ("global", 3), ("caustics", 4)]);
+    assert_eq!(photons.fields[1].values[0].value, Value::Word("kd".to_owned()));
+    assert_eq!(photons.fields[1].values[2].value, Value::Number(0.5));
+    let sky = "light { type sunsky up 0 0 1 east 0 1 0 sundir 1 1 1 turbidity 4 ground.color { XYZ 1 1 1 } }";
+    let [Statement::Light(Light::Unrendered(sky))] = &statements(sky)[..] else { panic!("no sky") };
+    assert_eq!(sky.fields[4].values[0].value, Value::Color(Color::Xyz([1.0; 3])));
+    assert_eq!(&sky.fields[3].name.span, &scene_format::Span { file: 0, start: 53, end: 62 });
+}
+
+#[test]
+fn what_nobody_knows_keeps_its_words() {
     let text =
         "gi { type fake sky { XYZ 1 2 3 } } accel bih filter box 1 1 override a true xyzzy { camera { } } bucket 8 row";
-    let words: Vec<String> = statements(text)
-        .iter()
-        .filter_map(|statement| match statement {
-            Statement::Other(other) => Some(format!("{}: {}", other.keyword.value, other.words.join(" "))),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(
-        words,
+    match &statements(text)[..] {
         [
-            "gi: { type fake sky { XYZ 1 2 3 } }",
-            "accel: bih",
-            "filter: box 1 1",
-            "override: a true",
-            "xyzzy: { camera { } }",
-        ]
-    );
+            Statement::Gi(_),
+            Statement::Accelerator(_),
+            Statement::Filter { .. },
+            Statement::Override { .. },
+            Statement::Unknown(unknown),
+            Statement::Bucket(_),
+        ] => {
+            let words: Vec<&str> = unknown.words.iter().map(|word| word.as_str()).collect();
+            assert_eq!((unknown.keyword.as_str(), words), ("xyzzy", vec!["{", "camera", "{", "}", "}"]));
+        }
+        other => panic!("{other:#?}"),
+    }
 }
 
 #[test]

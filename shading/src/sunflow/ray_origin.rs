@@ -1,5 +1,5 @@
 use geometry::Surface;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// How far Sunflow's rays start off a surface, at least, in the scene's units: a scene of that size is full of its traces.
 const LEAST_BIAS: f32 = 0.001;
@@ -9,7 +9,7 @@ const LEAST_BIAS_IN_ULPS: f32 = 25.0;
 
 /// Where Sunflow's rays start: `max(0.001, 25 ulp(p))` off the point along the geometric normal, which is taken as long as it is; p is the
 /// coordinate on the axis nearest to it. As a [`geometry::RayOrigin`].
-pub fn ray_origin(surface: &Surface, direction: Vec3) -> Vec3 {
+pub fn ray_origin(surface: &Surface, direction: DVec3) -> Vec3 {
     let normal = surface.geometric_normal;
     let [nearness, position] = [normal.abs(), surface.position.abs()];
     let coordinate = if nearness.x > nearness.y && nearness.x > nearness.z {
@@ -20,7 +20,7 @@ pub fn ray_origin(surface: &Surface, direction: Vec3) -> Vec3 {
         position.z
     };
     let bias = LEAST_BIAS.max(LEAST_BIAS_IN_ULPS * (coordinate.next_up() - coordinate));
-    surface.position + if direction.dot(normal) < 0.0 { -normal } else { normal } * bias
+    surface.position + if direction.as_vec3().dot(normal) < 0.0 { -normal } else { normal } * bias
 }
 
 #[cfg(test)]
@@ -34,17 +34,17 @@ mod tests {
     #[test]
     fn rays_start_a_thousandth_off_on_the_side_they_go_to() {
         let floor = at(Vec3::new(5.0, 5.0, 0.0), Vec3::Z);
-        assert_eq!(ray_origin(&floor, Vec3::new(3.0, 0.0, 0.1)), Vec3::new(5.0, 5.0, 0.001));
-        assert_eq!(ray_origin(&floor, Vec3::new(3.0, 0.0, -0.1)), Vec3::new(5.0, 5.0, -0.001));
+        assert_eq!(ray_origin(&floor, DVec3::new(3.0, 0.0, 0.1)), Vec3::new(5.0, 5.0, 0.001));
+        assert_eq!(ray_origin(&floor, DVec3::new(3.0, 0.0, -0.1)), Vec3::new(5.0, 5.0, -0.001));
         // Twice the normal is twice as far.
-        assert_eq!(ray_origin(&at(Vec3::ZERO, 2.0 * Vec3::Z), Vec3::Z), Vec3::new(0.0, 0.0, 0.002));
+        assert_eq!(ray_origin(&at(Vec3::ZERO, 2.0 * Vec3::Z), DVec3::Z), Vec3::new(0.0, 0.0, 0.002));
     }
 
     #[test]
     fn far_out_it_is_25_units_in_the_last_place_along_the_normals_longest_axis() {
         // From 2^23 to 2^24 a unit in the last place is 1.
         let far = Vec3::new(1.0, 8_388_608.0, 1.0);
-        assert_eq!(ray_origin(&at(far, Vec3::Y), Vec3::Y).y, 8_388_633.0);
-        assert_eq!(ray_origin(&at(far, Vec3::X), Vec3::X).x, 1.001);
+        assert_eq!(ray_origin(&at(far, Vec3::Y), DVec3::Y).y, 8_388_633.0);
+        assert_eq!(ray_origin(&at(far, Vec3::X), DVec3::X).x, 1.001);
     }
 }
