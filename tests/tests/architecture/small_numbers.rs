@@ -1,13 +1,8 @@
 //! No epsilon is scattered in the code. Every small number in it is named here, with the reason why it is not one: an error bound that
 //! is derived beside it, or a number that has nothing to do with rounding.
 
-mod sources;
-
-use std::path::Path;
-
-use sources::{Crate, code_only, numbers, without_tests};
-
-const CRATES: [&str; 6] = ["geometry", "accel", "shading", "scene-format", "render", "cli"];
+use crate::sources::{code_only, numbers, without_tests};
+use crate::{crates, root};
 
 /// Numbers from here on to 1 are too coarse to stand for rounding.
 const SMALL: f64 = 1e-2;
@@ -82,13 +77,12 @@ fn is_in_folder(file: &str) -> bool {
 
 #[test]
 fn every_small_number_in_the_code_has_its_reason() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace is around this package");
     let mut found = Vec::new();
-    for package in CRATES.map(|name| Crate::read(root, name)) {
+    for package in crates().iter().filter(|package| package.name != "tests") {
         let sources = package.sources();
         let tests: Vec<_> = sources.iter().flat_map(|(path, text)| without_tests(path, &code_only(text)).1).collect();
         for (path, text) in sources.iter().filter(|(path, _)| !tests.contains(path)) {
-            let file = path.strip_prefix(root).expect("in the workspace").display().to_string();
+            let file = path.strip_prefix(root()).expect("in the workspace").display().to_string();
             let (code, _) = without_tests(path, &code_only(text));
             if !is_in_folder(&file) {
                 found.extend(small_numbers(&code).into_iter().map(|number| (file.clone(), number)));
