@@ -57,6 +57,7 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "MIN_POSITIVE",
         "below it `f32` rounds otherwise, and a number is read the exact way",
     ),
+    ("cli/src/commands/parity.rs", "0.005", "how far apart rays beside a pixel's own run, in pixels"),
     ("render/src/sampler/sobol.rs", "1.0 / 4_294_967_296.0", "32 bits as a fraction"),
     ("render/src/sampler/random.rs", "1.0 / (1 << 24)", "24 bits as a fraction"),
 ];
@@ -66,6 +67,7 @@ const FOLDERS: &[(&str, &str)] = &[
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
+    ("cli/src/accuracy", "what is varied and how it is printed, in the figures of error"),
     ("cli/src/scenes", "shapes and colours of the built-in scenes"),
     ("cli/src/accuracy", "how hard cases are, and the ends of diagrams' axes: nothing there is rendered with"),
     ("cli/src/metrics", "constants of published formulas for the differences of pictures"),
