@@ -27,6 +27,7 @@ use serde_json::{Map, Value, json};
 
 use crate::progress::Progress;
 use crate::report::Failure;
+use crate::scenes::EmbeddedScene;
 use figure::Figure;
 use instructions::Counts;
 use steps::Steps;
@@ -86,10 +87,16 @@ pub(crate) struct Report {
     pub(crate) json: Value,
 }
 
-/// Measures everything. Kernels of `modules` that are not ours appear beside ours.
-pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> Result<Report, Failure> {
+/// Measures everything, image errors with the given scenes. Kernels and the sampler of `modules` that are not ours appear beside ours.
+pub(crate) fn report(
+    modules: &Modules,
+    effort: &Effort,
+    scenes: &[&'static EmbeddedScene],
+    progress: Progress,
+) -> Result<Report, Failure> {
     let counted = if effort.count_instructions { instructions::steps(&modules.kernels) } else { 0 };
-    let total = counted + speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(modules) + pictures::STEPS;
+    let images = images::steps(modules, scenes);
+    let total = counted + speed::steps() + sweeps::steps() + new_rays::STEPS + images + pictures::STEPS;
     let steps = Steps::start(total, progress);
     let counts = if effort.count_instructions {
         Counts::of_all(&modules.kernels, effort.seed, &|| steps.advance())
@@ -100,7 +107,7 @@ pub(crate) fn report(modules: &Modules, effort: &Effort, progress: Progress) -> 
         speed::figure(modules, &counts, effort, &steps)?,
         sweeps::figure(modules, effort, &steps)?,
         new_rays::figure(modules, effort, &steps)?,
-        images::figure(modules, effort, &steps)?,
+        images::figure(modules, scenes, effort, &steps)?,
         pictures::figure(effort, &steps)?,
     ];
     steps.finish();

@@ -1,10 +1,12 @@
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::accuracy::instructions::KernelRun;
 use crate::options::{RenderOptions, parse_positive_seconds};
+use crate::scenes;
 
 /// Renders Sunflow .sc scenes: the ray tracer of a computer-graphics course.
 #[derive(Debug, Parser)]
@@ -107,6 +109,10 @@ pub(crate) struct RenderArguments {
     /// Render nothing if there is a warning.
     #[arg(long)]
     pub(crate) strict: bool,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -163,6 +169,9 @@ pub(crate) struct AccuracyArguments {
     /// Choose other random cases. The same seed gives the same errors on every run; times vary.
     #[arg(long, value_name = "N", default_value = "0")]
     pub(crate) seed: u64,
+    /// The built-in scenes that image errors are measured with. [default: all of them]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = scene_names())]
+    pub(crate) scenes: Vec<String>,
     /// A tenth of the cases, in a few seconds: for a first look.
     #[arg(long)]
     pub(crate) quick: bool,
@@ -172,6 +181,10 @@ pub(crate) struct AccuracyArguments {
     /// Show no progress.
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+fn scene_names() -> PossibleValuesParser {
+    scenes::all().iter().map(|scene| scene.name).into()
 }
 
 #[derive(Debug, Args)]

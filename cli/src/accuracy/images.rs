@@ -12,22 +12,27 @@ use serde_json::{Value, json};
 use super::figure::{BLUE, Figure, GREEN, GREY, Key, Mark, ORANGE, PINK, Part};
 use super::{Effort, steps::Steps};
 use crate::report::Failure;
-use crate::scenes::{self, EmbeddedScene};
+use crate::scenes::EmbeddedScene;
 use curve::{Measure, Point};
 use samplings::{BASE, Sampling, all as samplings};
 use study::Study;
 
 /// Steps of [`figure`].
-pub(crate) fn steps(modules: &Modules) -> usize {
-    scenes::all().len() * (1 + samplings(modules).len())
+pub(crate) fn steps(modules: &Modules, scenes: &[&'static EmbeddedScene]) -> usize {
+    scenes.len() * (1 + samplings(modules).len())
 }
 
-pub(crate) fn figure(modules: &Modules, effort: &Effort, steps: &Steps) -> Result<Figure, Failure> {
+pub(crate) fn figure(
+    modules: &Modules,
+    scenes: &[&'static EmbeddedScene],
+    effort: &Effort,
+    steps: &Steps,
+) -> Result<Figure, Failure> {
     let samplings = samplings(modules);
     let measured = |scene: &'static EmbeddedScene| {
         study::study(scene, effort.image_width, effort.seed as u32, *modules, &samplings, &|| steps.advance())
     };
-    let studies = scenes::all().iter().map(measured).collect::<Result<Vec<_>, _>>()?;
+    let studies = scenes.iter().copied().map(measured).collect::<Result<Vec<_>, _>>()?;
     Ok(Figure {
         id: "images",
         title: "Image error against time",
@@ -53,8 +58,9 @@ const ERRORS: [(&str, Measure); 2] = [("RMSE", |point| point.rmse), ("FLIP", |po
 fn caption(studies: &[Study]) -> String {
     let rays = studies.first().map_or(0, |study| study.reference_rays);
     format!(
-        "Each built-in scene, rendered small with 1, 4, 16 and 64 rays a pixel by each sampler, and held against a reference of {rays} rays \
-         with other random numbers. RMSE is the root of the mean square difference in linear light; FLIP is the mean of what an eye sees on \
+        "Built-in scenes, rendered small with 1, 4, 16 and 64 rays a pixel by each sampler, and held against a reference of {rays} rays \
+         with other random numbers. `random` is the report's way: a random place in each zone of a pixel, and every light of a soft shadow asked; \
+         the others share those lights out among a pixel's rays. Adaptive rays go where neighbouring ones differ, between 2 and 256 of them a pixel. RMSE is the root of the mean square difference in linear light; FLIP is the mean of what an eye sees on \
          flipping between the two, 0 to 1. Lower and farther left is better. Independent random rays would fall as the root of their \
          number: a factor of two for each four times the time. Where all samplers meet at one ray a pixel they show the same picture: a \
          single ray goes through the pixel's centre."
