@@ -51,7 +51,7 @@ pub(crate) struct Effort {
 impl Effort {
     /// For a page that is shown.
     pub(crate) fn full(seed: u64) -> Self {
-        Self { seed, cases: 20_000, rounds: 40, picture: [1050, 315], picture_aa: 1, image_width: 48 }
+        Self { seed, cases: 20_000, rounds: 40, picture: [1050, 315], picture_aa: 1, image_width: 64 }
     }
 
     /// For a first look.
@@ -76,7 +76,7 @@ pub(crate) fn report(
     progress: Progress,
 ) -> Result<Report, Failure> {
     let steps = Steps::start(
-        speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(modules, scenes) + pictures::STEPS,
+        speed::steps() + sweeps::steps() + new_rays::STEPS + images::steps(scenes) + pictures::STEPS,
         progress,
     );
     let figures = [
