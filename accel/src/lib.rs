@@ -12,6 +12,7 @@
 mod accelerator;
 mod none;
 mod octree;
+mod ordinary;
 mod wide;
 
 pub use accelerator::{Accelerator, Statistics};

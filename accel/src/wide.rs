@@ -15,7 +15,11 @@ use std::marker::PhantomData;
 
 use geometry::{Hit, Interval, Primitives, Ray};
 
-use crate::{Accelerator, Statistics, none::closest_of};
+use crate::{
+    Accelerator, Statistics,
+    none::{any_of_all, closest_of_all},
+    ordinary::is_ordinary,
+};
 use decide::{Decide, Exact, Watertight};
 use layout::{Block, Link, Mixed, Node};
 use simd::{Isa, Portable};
@@ -121,6 +125,10 @@ struct Tree {
     magnitude: f32,
     /// Levels of nodes.
     depth: usize,
+    leaves: usize,
+    largest_leaf: usize,
+    /// What a ray that meets the root's box costs, in visits of a node.
+    cost: f32,
 }
 
 struct Wide<I, D> {
@@ -139,20 +147,10 @@ impl<I: Isa + Send + Sync + 'static> Wide<I, Exact> {
     }
 }
 
-/// Whether the bounds argued for hold for a ray: nothing in it is infinite or a NaN, and nothing overflows. Other rays ask every primitive.
-fn is_ordinary(ray: &Ray) -> bool {
-    const FARTHEST: f32 = (1_u64 << 36) as f32;
-    let length = ray.direction.abs().max_element();
-    // NaN compares false.
-    ray.origin.abs().cmplt(glam::Vec3::splat(FARTHEST)).all()
-        && ray.direction.abs().cmplt(glam::Vec3::splat(FARTHEST)).all()
-        && length > 1.0 / FARTHEST
-}
-
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         if !is_ordinary(ray) {
-            return closest_of(&self.primitives, 0..self.primitives.len(), ray, within, None);
+            return closest_of_all(&self.primitives, ray, within);
         }
         self.isa.vectorize(
             #[inline(always)]
@@ -162,7 +160,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         if !is_ordinary(ray) {
-            return (0..self.primitives.len()).any(|number| self.primitives.intersect(number, ray, within).is_some());
+            return any_of_all(&self.primitives, ray, within);
         }
         self.isa.vectorize(
             #[inline(always)]
@@ -171,16 +169,19 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     }
 
     fn statistics(&self) -> Statistics {
-        let Tree { nodes, blocks, mixed, asked, depth, .. } = &self.tree;
+        let Tree { nodes, blocks, mixed, asked, beside, depth, leaves, largest_leaf, cost, .. } = &self.tree;
         Statistics {
             branches: nodes.len(),
-            leaves: blocks.len(),
+            leaves: *leaves,
             depth: *depth,
             references: self.primitives.len() as usize,
+            largest_leaf: *largest_leaf,
+            cost: *cost,
             bytes: size_of_val(&nodes[..])
                 + size_of_val(&blocks[..])
                 + size_of_val(&mixed[..])
-                + size_of_val(&asked[..]),
+                + size_of_val(&asked[..])
+                + size_of_val(&beside[..]),
         }
     }
 }

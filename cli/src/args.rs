@@ -4,6 +4,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::accuracy::instructions::KernelRun;
 use crate::options::{RenderOptions, parse_positive_seconds};
 use crate::scenes;
 
@@ -108,6 +109,10 @@ pub(crate) struct RenderArguments {
     /// Render nothing if there is a warning.
     #[arg(long)]
     pub(crate) strict: bool,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -170,6 +175,9 @@ pub(crate) struct AccuracyArguments {
     /// A tenth of the cases, in a few seconds: for a first look.
     #[arg(long)]
     pub(crate) quick: bool,
+    /// Run only this kernel, so often, and write nothing: for tools that count instructions.
+    #[arg(long, value_name = "PRIMITIVE,WHOSE,PASSES", hide = true)]
+    pub(crate) run_kernel: Option<KernelRun>,
     /// Show no progress.
     #[arg(short, long)]
     pub(crate) quiet: bool,

@@ -41,9 +41,12 @@ pub(crate) struct RenderOptions {
     /// also with `reverse-` before it. The picture does not depend on it.
     #[arg(long, value_name = "SIZE[,ORDER]", value_parser = parse_buckets)]
     bucket: Option<BucketOption>,
-    /// How to find what a ray meets first. The picture does not depend on it.
+    /// How to find what a ray meets first. The picture does not depend on it. [default: wide]
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// How the wide octree decides whether a ray meets a triangle. [default: exact]
+    #[arg(long, value_enum)]
+    hits: Option<HitsName>,
     /// Render with the naive kernels of textbooks instead, to see what goes wrong: some, separated by commas, or all. The scene
     /// `scales` is hard for them; `girasol accuracy` measures them.
     #[arg(long, value_enum, value_name = "KERNEL,...", value_delimiter = ',')]
@@ -82,6 +85,16 @@ pub(crate) enum AcceleratorName {
     None,
     /// Cubes halved into eight, as in the report.
     Octree,
+    /// The same cubes, gathered into nodes of eight boxes that are tested at once.
+    Wide,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum HitsName {
+    /// In 64 bits, as every other accelerator does: the same picture, bit for bit.
+    Exact,
+    /// In 32 bits, without gaps between triangles: faster. At an edge a ray may meet the neighbour instead.
+    Watertight,
 }
 
 /// The samplers that can be named.
@@ -175,10 +188,12 @@ impl RenderOptions {
             None | Some(LightingName::Report) => modules,
             Some(LightingName::Sunflow) => modules.lit_as_by_sunflow(),
         };
-        let accelerator = match self.accelerator {
-            None => modules.accelerator,
-            Some(AcceleratorName::None) => accel::none,
-            Some(AcceleratorName::Octree) => accel::octree,
+        let accelerator = match (self.accelerator, self.hits) {
+            (None, None) => modules.accelerator,
+            (Some(AcceleratorName::None), _) => accel::none,
+            (Some(AcceleratorName::Octree), _) => accel::octree,
+            (_, Some(HitsName::Watertight)) => accel::wide_watertight,
+            (Some(AcceleratorName::Wide), _) | (None, Some(HitsName::Exact)) => accel::wide,
         };
         let falloff = match self.falloff {
             None => modules.falloff,

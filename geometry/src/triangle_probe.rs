@@ -109,17 +109,18 @@ impl TriangleProbe {
     }
 
     /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
-    /// decided again. The weights are cut to the triangle. `None` if it is edge-on, and where they meet cannot be said.
+    /// decided again. The weights are cut to the triangle. `None` if the ray is beside the triangle's box after all.
     #[inline(always)]
     pub fn locate(&self, corners: [Vec3; 3]) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);
         let weights = edge_functions(seen, self.direction);
         let inverse = 1.0 / (weights[0] + weights[1] + weights[2]);
-        let u = (weights[1] * inverse).clamp(0.0, 1.0);
-        let v = (weights[2] * inverse).clamp(0.0, 1.0 - u);
+        // `f64::max` makes a NaN, of a triangle seen edge-on, 0.
+        let u = (weights[1] * inverse).max(0.0).min(1.0);
+        let v = (weights[2] * inverse).max(0.0).min(1.0 - u);
         let t = self.t_of(corners, seen, weights)?;
-        (!u.is_nan() & !v.is_nan()).then_some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
+        Some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
     }
 
     /// A `t` cut to where the ray is in the box of corners seen from its origin; `None` if that is nowhere. Where `t` is not a number,

@@ -1,7 +1,7 @@
 use shading::Color;
 
 use crate::{
-    Crop, Purpose, RayCounts, Sample, Settings,
+    Crop, LostRays, Purpose, RayCounts, Sample, Settings,
     passes::{Pass, Passes},
     tracer::Tracer,
 };
@@ -44,9 +44,10 @@ pub(crate) fn render(settings: &Settings, mut passes: Passes<'_>) -> Option<Pass
         },
         |&color| color,
     )?;
-    let mut rays: RayCounts = first.rays;
+    let (mut rays, mut lost): (RayCounts, LostRays) = (first.rays, first.lost);
     rays += second.rays;
-    Some(Pass { rays, ..second })
+    lost.append(second.lost);
+    Some(Pass { rays, lost, ..second })
 }
 
 /// What a pixel's first rays brought.

@@ -2,6 +2,8 @@ use std::ops::AddAssign;
 
 use shading::{Color, srgb};
 
+use crate::LostRays;
+
 /// A finished picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
@@ -13,6 +15,8 @@ pub struct Film {
     pub pixels: Vec<Color>,
     /// What it took.
     pub rays: RayCounts,
+    /// Where it is not what the scene asks for.
+    pub lost: LostRays,
 }
 
 /// How many rays were traced.

@@ -92,7 +92,7 @@ impl Default for Modules {
             limits: Limits::default(),
             kernels: Kernels::default(),
             ray_origin: Surface::origin_towards,
-            accelerator: accel::octree,
+            accelerator: accel::wide,
             shaders: Shaders::default(),
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,

@@ -1,13 +1,13 @@
 use std::ops::ControlFlow;
 use std::sync::{
     Mutex, PoisonError,
-    atomic::{AtomicUsize, Ordering},
+    atomic::{AtomicBool, AtomicUsize, Ordering},
 };
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use shading::Color;
 
-use crate::{Crop, FinishedBucket, RayCounts, Scene, Settings, Tile, buckets::bucket_pixels, tracer::Tracer};
+use crate::{Crop, FinishedBucket, LostRays, RayCounts, Scene, Settings, Tile, buckets::bucket_pixels, tracer::Tracer};
 
 /// Goes over a picture's buckets, once or more often, with all threads.
 pub(crate) struct Passes<'a> {
@@ -28,6 +28,8 @@ pub(crate) struct Pass<T> {
     pub(crate) pixels: Vec<T>,
     /// What it took.
     pub(crate) rays: RayCounts,
+    /// In any order.
+    pub(crate) lost: LostRays,
 }
 
 impl<'a> Passes<'a> {
@@ -52,9 +54,10 @@ impl<'a> Passes<'a> {
         let window = self.settings.window();
         let (tiles, total) = (self.tiles.len(), self.planned * self.tiles.len());
         let next = AtomicUsize::new(0);
-        let empty =
-            Pass { pixels: vec![T::default(); area.width as usize * area.height as usize], rays: RayCounts::default() };
+        let pixels = vec![T::default(); area.width as usize * area.height as usize];
+        let empty = Pass { pixels, rays: RayCounts::default(), lost: LostRays::default() };
         let progress = Mutex::new((empty, 0));
+        let broken_off = AtomicBool::new(false);
 
         // Each thread takes the next bucket in the order until none is left.
         let work = || {
@@ -68,6 +71,7 @@ impl<'a> Passes<'a> {
 
                 let (pass, finished) = &mut *progress.lock().unwrap_or_else(PoisonError::into_inner);
                 pass.rays += tracer.rays();
+                pass.lost.append(tracer.lost());
                 for (made, place) in made.into_iter().zip(reaching.pixels()) {
                     pass.pixels[area.index(place)] = made;
                 }
@@ -76,6 +80,7 @@ impl<'a> Passes<'a> {
                 let told =
                     FinishedBucket { area: bucket, pixels: &colors, finished: finished_before + *finished, total };
                 if (self.on_bucket)(&told).is_break() {
+                    broken_off.store(true, Ordering::Relaxed);
                     next.store(tiles, Ordering::Relaxed);
                 }
             }
@@ -85,8 +90,8 @@ impl<'a> Passes<'a> {
             None => work(),
         }
         self.done += 1;
-        let (pass, finished) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (finished == tiles).then_some(pass)
+        let (pass, _) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (!broken_off.into_inner()).then_some(pass)
     }
 }
 

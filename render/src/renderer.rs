@@ -36,7 +36,8 @@ pub fn render(
             Passes::new(scene, settings, on_bucket, 1).pass(window, color, |&color| color)?
         }
     };
-    Some(Film { width: window.width, height: window.height, pixels: pass.pixels, rays: pass.rays })
+    let lost = pass.lost.in_window(window);
+    Some(Film { width: window.width, height: window.height, pixels: pass.pixels, rays: pass.rays, lost })
 }
 
 /// The mean over a pixel's rays: `samples` in each of its 2^aa x 2^aa zones, at random places of the zone.

@@ -121,23 +121,37 @@ impl<'s> Lexer<'s> {
     /// Reads plain numbers from a byte of the source on into the places given: how many, and where the last one stands. Stops
     /// before anything else, and before a number that needs a closer look.
     pub(crate) fn numbers<T: Number>(&mut self, from: u32, numbers: &mut [T]) -> (usize, Option<Span>) {
-        let bytes = self.source.as_bytes();
-        let (mut at, mut last) = (from as usize, None);
-        let mut count = 0;
-        for place in numbers {
-            while let Some(b' ' | b'\n' | b'\t' | b'\r') = bytes.get(at) {
-                at += 1;
-            }
-            let Some((number, end)) = T::scan(bytes, at) else { break };
-            let (Some(b' ' | b'\n' | b'\t' | b'\r') | None) = bytes.get(end) else { break };
-            *place = number;
-            last = Some((at, end));
-            at = end;
-            count += 1;
-        }
+        let (count, last) = scan_numbers(self.source.as_bytes(), from as usize, numbers);
         if let Some((_, end)) = last {
             self.position = end;
         }
+        (count, last.map(|(start, end)| self.span(start, end)))
+    }
+
+    /// Reads rows of a letter and `N` plain numbers each, at most so many: how many, and where the last number stands. Stops before
+    /// a row that is anything else.
+    pub(crate) fn lettered_rows<const N: usize, T: Number>(
+        &mut self,
+        from: u32,
+        letter: u8,
+        most: usize,
+        mut each: impl FnMut([T; N]),
+    ) -> (usize, Option<Span>) {
+        let bytes = self.source.as_bytes();
+        let (mut at, mut last, mut count) = (from as usize, None, 0);
+        while count < most {
+            let start = past_blanks(bytes, at);
+            if bytes.get(start) != Some(&letter) || !bytes.get(start + 1).is_some_and(is_plain_blank) {
+                break;
+            }
+            let mut row = [T::default(); N];
+            let (found, end) = scan_numbers(bytes, start + 1, &mut row);
+            let Some((_, behind)) = end.filter(|_| found == N) else { break };
+            each(row);
+            (at, last) = (behind, end);
+            count += 1;
+        }
+        self.position = if count > 0 { at } else { self.position };
         (count, last.map(|(start, end)| self.span(start, end)))
     }
 
@@ -251,6 +265,33 @@ impl<'s> Lexer<'s> {
 /// Whether a word can only be meant as a number. `inf` and `nan` are names as well, and do not count.
 pub(crate) fn is_number(word: &str) -> bool {
     word.bytes().any(|byte| byte.is_ascii_digit()) && crate::number::float(word).is_ok()
+}
+
+/// Plain numbers from a byte on, as many as there are places for: how many, and where the last one begins and ends.
+fn scan_numbers<T: Number>(bytes: &[u8], from: usize, numbers: &mut [T]) -> (usize, Option<(usize, usize)>) {
+    let (mut at, mut last, mut count) = (from, None, 0);
+    for place in numbers {
+        let start = past_blanks(bytes, at);
+        let Some((number, end)) = T::scan(bytes, start) else { break };
+        if !bytes.get(end).is_none_or(is_plain_blank) {
+            break;
+        }
+        *place = number;
+        (at, last) = (end, Some((start, end)));
+        count += 1;
+    }
+    (count, last)
+}
+
+fn past_blanks(bytes: &[u8], mut at: usize) -> usize {
+    while bytes.get(at).is_some_and(is_plain_blank) {
+        at += 1;
+    }
+    at
+}
+
+fn is_plain_blank(byte: &u8) -> bool {
+    matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
 }
 
 fn is_brace(byte: u8) -> bool {

@@ -4,8 +4,7 @@ use std::sync::LazyLock;
 
 /// An encoded value as a linear one; both 0 to 1, clamped, and 0 for NaN. Right to 0.51 ulp.
 pub fn decode(encoded: f32) -> f32 {
-    // f32::max turns a NaN into 0.
-    curve(f64::from(encoded.max(0.0).min(1.0))) as f32
+    if encoded.is_nan() { 0.0 } else { curve(f64::from(encoded.clamp(0.0, 1.0))) as f32 }
 }
 
 /// A byte as a linear value: right to 0.51 ulp.

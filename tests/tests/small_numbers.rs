@@ -13,7 +13,7 @@ const CRATES: [&str; 6] = ["geometry", "accel", "shading", "scene-format", "rend
 const SMALL: f64 = 1e-2;
 
 /// File, number as it is written, and why it stands there.
-const EXCEPTIONS: [(&str, &str, &str); 20] = [
+const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("geometry/src/rounding.rs", "EPSILON", "the unit roundoff itself, in which the bounds are counted"),
     ("geometry/src/surface.rs", "1.0 / (1 << 48)", "the f64 steps behind a hit point, in its error bound"),
     (
@@ -46,21 +46,33 @@ const EXCEPTIONS: [(&str, &str, &str); 20] = [
     ("accel/src/octree/build.rs", "EPSILON", "how near to a cell counts as in it: its rounding, and more"),
     ("accel/src/wide/boxes.rs", "EPSILON", "the slack of a box test"),
     ("accel/src/wide/boxes.rs", "MIN_POSITIVE", "the least component that has a reciprocal"),
-    ("accel/src/wide/boxes.rs", "1.0 / (1 << 64)", "the share of a direction that stands for 0"),
+    ("accel/src/wide/boxes.rs", "1.0 / (1 << 48)", "the share of a direction that stands for 0"),
     ("accel/src/wide/triangles.rs", "EPSILON", "the unit roundoff, in the bound of a filter: the exact test follows"),
     ("accel/src/wide/triangles.rs", "1.0 / (1 << 120)", "what underflows in that filter"),
     ("accel/src/wide/morton.rs", "MIN_POSITIVE", "a scene without extent, which is not to be divided by"),
     ("shading/src/sunflow/ray_origin.rs", "0.001", "Sunflow's own epsilon, to be compared with its pictures"),
+    (
+        "cli/src/commands/parity.rs",
+        "0.005",
+        "the distance of rays beside a pixel's own, in pixels: how near an edge must pass",
+    ),
     ("scene-format/src/print/words.rs", "1e-5", "from where on a number is printed with an exponent"),
+    (
+        "scene-format/src/number.rs",
+        "MIN_POSITIVE",
+        "below it `f32` rounds otherwise, and a number is read the exact way",
+    ),
     ("render/src/sampler/sobol.rs", "1.0 / 4_294_967_296.0", "32 bits as a fraction"),
     ("render/src/sampler/random.rs", "1.0 / (1 << 24)", "24 bits as a fraction"),
 ];
 
-/// Folders whose numbers are their own business, and why.
-const FOLDERS: [(&str, &str); 4] = [
+/// Folders and files whose numbers are their own business, and why.
+const FOLDERS: &[(&str, &str)] = &[
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
+    ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
     ("cli/src/scenes", "shapes and colours of the built-in scenes"),
+    ("cli/src/accuracy", "how hard cases are, and the ends of diagrams' axes: nothing there is rendered with"),
     ("cli/src/metrics", "constants of published formulas for the differences of pictures"),
 ];
 

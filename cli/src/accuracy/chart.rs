@@ -44,8 +44,6 @@ pub(crate) struct Series {
 pub(crate) enum Line {
     /// Not at all.
     None,
-    /// By a thin, pale line.
-    Thin,
     /// By a line.
     Full,
 }
@@ -109,15 +107,11 @@ impl Chart {
             let points: Vec<(f64, f64)> = series.points.iter().filter_map(|&point| self.place(point)).collect();
             match series.line {
                 Line::None => {}
-                Line::Thin => {
-                    chart.draw_series(LineSeries::new(points.clone(), color.mix(0.45)))?;
-                }
                 Line::Full => {
                     chart.draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?;
                 }
             }
             match series.mark {
-                Mark::None => {}
                 Mark::Disc => {
                     chart.draw_series(points.iter().map(|&point| Circle::new(point, 4, color.filled())))?;
                 }
@@ -173,6 +167,11 @@ impl Ranged for Decades {
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         let [low, high] = self.ends;
+        if high - low < 2.0 {
+            let steps = (low.floor() as i32..=high.ceil() as i32)
+                .flat_map(|power| [1.0, 2.0, 5.0].map(|digit: f64| f64::from(power) + digit.log10()));
+            return steps.filter(|step| (low..=high).contains(step)).collect();
+        }
         let count = (high.floor() - low.ceil()) as usize + 1;
         let step = count.div_ceil(hint.bold_points().clamp(2, 9)).max(1);
         let mut powers: Vec<f64> = (0..count).step_by(step).map(|i| low.ceil() + i as f64).collect();
@@ -192,14 +191,16 @@ impl ValueFormatter<f64> for Decades {
     fn format_ext(&self, value: &f64) -> String {
         match self.floor {
             Some(floor) if *value == self.ends[0] => floor.to_owned(),
-            _ => power_of_ten(*value as i32),
+            _ if *value == value.round() => power_of_ten(*value as i32),
+            // 2 or 5 in some decade.
+            _ => format!("{}", (10_f64.powf(*value) * 100.0).round() / 100.0),
         }
     }
 }
 
 /// 0.01, 0.1, 1, 10, 100; beyond them with an exponent.
 fn power_of_ten(power: i32) -> String {
-    if (-2..=3).contains(&power) {
+    if (-3..=3).contains(&power) {
         return 10_f64.powi(power).to_string();
     }
     let digits = power.to_string();

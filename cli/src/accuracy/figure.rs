@@ -59,8 +59,6 @@ pub(crate) enum Mark {
     Ring,
     /// A filled square: somebody's own.
     Square,
-    /// Nothing.
-    None,
 }
 
 /// Colours that can be told apart on light and dark pages, by the colour-blind too. (Okabe, Ito: Color Universal Design, 2008.)

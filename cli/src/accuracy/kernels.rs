@@ -3,6 +3,7 @@
 use geometry::{Aabb, BoxProbe, Ellipsoid, Intersection, Interval, Kernels, Primitive, Ray, Sphere, Triangle, naive};
 
 use super::aimed::GivenPlane;
+use super::figure::{BLUE, GREEN, Key, Mark, ORANGE, Part};
 use super::truth::{self, Truth};
 
 /// Whose a kernel is.
@@ -21,6 +22,36 @@ impl Role {
             Self::Yours => "yours",
         }
     }
+}
+
+/// The colour of its points in diagrams.
+pub(crate) fn color(role: Role) -> [u8; 3] {
+    match role {
+        Role::Naive => ORANGE,
+        Role::Ours => BLUE,
+        Role::Yours => GREEN,
+    }
+}
+
+/// How its points are drawn.
+pub(crate) fn mark(role: Role) -> Mark {
+    match role {
+        Role::Naive => Mark::Ring,
+        Role::Ours => Mark::Disc,
+        Role::Yours => Mark::Square,
+    }
+}
+
+/// Those that appear, in the order of a legend.
+pub(crate) fn roles(all: impl IntoIterator<Item = Role>) -> Vec<Role> {
+    let all: Vec<Role> = all.into_iter().collect();
+    [Role::Naive, Role::Ours, Role::Yours].into_iter().filter(|role| all.contains(role)).collect()
+}
+
+/// What the points stand for.
+pub(crate) fn legend(roles: impl IntoIterator<Item = Role>) -> Part {
+    let key = |role: Role| Key { color: color(role), mark: mark(role), name: role.name().to_owned() };
+    Part::Legend(roles.into_iter().map(key).collect())
 }
 
 /// A kernel of one primitive.

@@ -88,7 +88,6 @@ fn key(key: &Key) -> String {
         Mark::Disc => "disc",
         Mark::Ring => "ring",
         Mark::Square => "square",
-        Mark::None => "line",
     };
     format!(
         "<span><i class=\"{class}\" style=\"border-color:rgb({red},{green},{blue});color:rgb({red},{green},{blue})\"></i>{}</span>",

@@ -3,13 +3,13 @@
 use render::Modules;
 use serde_json::{Value, json};
 
+use super::Effort;
 use super::chart::{Chart, Line, Series};
 use super::families::{self, Sweep};
-use super::figure::{BLUE, Figure, GREEN, Key, ORANGE, Part};
-use super::kernels::{self, Role, Subject};
+use super::figure::{Figure, Part};
+use super::kernels::{self, Role, Subject, color, legend, mark, roles};
 use super::measure::{Summary, errors};
 use super::steps::Steps;
-use super::{Effort, speed::mark};
 use crate::report::Failure;
 
 /// Steps of [`figure`]: one for each sweep.
@@ -29,9 +29,7 @@ pub(crate) fn figure(modules: &Modules, effort: &Effort, steps: &Steps) -> Resul
     found.extend(families::triangle_sweeps().iter().map(|sweep| swept(&kernels::triangle(own), sweep, effort, steps)));
     found.extend(families::plane_sweeps().iter().map(|sweep| swept(&kernels::plane(own), sweep, effort, steps)));
 
-    let roles = if found.iter().any(|swept| swept.kernels.len() > 2) { &ROLES[..] } else { &ROLES[..2] };
-    let key = |&role: &Role| Key { color: color(role), mark: mark(role), name: role.name().to_owned() };
-    let mut parts = vec![Part::Legend(roles.iter().map(key).collect())];
+    let mut parts = vec![legend(roles(found.iter().flat_map(|swept| &swept.kernels).map(|(role, _)| *role)))];
     for swept in &found {
         parts.push(Part::Row(vec![swept.error_chart()?, swept.misjudged_chart()?]));
     }
@@ -41,21 +39,13 @@ pub(crate) fn figure(modules: &Modules, effort: &Effort, steps: &Steps) -> Resul
         caption: "One property grows, all else is everyday. Left the error that 99.9 % of the hits keep below, right the share of clear cases \
                   in which hit and miss are confused; 0 is the lower edge. Girasol's kernels stay at half an ulp and at 0 throughout. \
                   The naive sphere loses all its digits by D/r = 4000, where (D/r)² exceeds what f32 can tell apart; the naive triangle's \
-                  error grows with its aspect, and below a size of 0.001 its epsilon takes all; the naive plane does not know the horizon."
+                  error grows with its aspect, and below a size of 0.003 its epsilon takes all; the naive plane does not know the horizon. \
+                  The place in the scene harms the naive ellipsoid alone, whose matrix adds up two large translations; the others \
+                  subtract before they multiply."
             .to_owned(),
         parts,
         data: Value::from(found.iter().map(Swept::json).collect::<Vec<_>>()),
     })
-}
-
-const ROLES: [Role; 3] = [Role::Naive, Role::Ours, Role::Yours];
-
-pub(super) fn color(role: Role) -> [u8; 3] {
-    match role {
-        Role::Naive => ORANGE,
-        Role::Ours => BLUE,
-        Role::Yours => GREEN,
-    }
 }
 
 /// What was found on a sweep.

@@ -1,6 +1,6 @@
 use render::Modules;
 
-use crate::accuracy::{Effort, report};
+use crate::accuracy::{Effort, instructions::run_kernel, report};
 use crate::args::AccuracyArguments;
 use crate::interrupt::Interrupt;
 use crate::output::{check_place, write_file};
@@ -9,6 +9,10 @@ use crate::report::{self, Failure};
 use crate::scenes::{self, EmbeddedScene};
 
 pub(crate) fn run(arguments: &AccuracyArguments, modules: Modules) -> Result<(), Failure> {
+    if let Some(wanted) = &arguments.run_kernel {
+        run_kernel(&modules.kernels, wanted, arguments.seed);
+        return Ok(());
+    }
     let interrupt = Interrupt::listen()?;
     let json = arguments.json.clone().unwrap_or_else(|| arguments.output.with_extension("json"));
     if json == arguments.output {

@@ -84,12 +84,14 @@ fn tree(statistics: &Statistics) -> String {
         return "none: every primitive is asked".to_owned();
     }
     format!(
-        "{} cells in {} levels, {} leaves with {} references, {}",
-        thousands((statistics.branches * 8 + 1) as u64),
-        statistics.depth + 1,
+        "{} branches in {} levels, {} leaves with {} references (at most {} in one), {}, expected cost {:.1}",
+        thousands(statistics.branches as u64),
+        statistics.depth,
         thousands(statistics.leaves as u64),
         thousands(statistics.references as u64),
-        bytes(statistics.bytes)
+        statistics.largest_leaf,
+        bytes(statistics.bytes),
+        statistics.cost
     )
 }
 

@@ -111,12 +111,29 @@ impl<'s> Cursor<'s> {
     pub(super) fn take_numbers<T: Number>(&mut self, numbers: &mut [T]) -> usize {
         let Some(first) = self.ahead else { return 0 };
         let (count, last) = self.lexer.numbers(first.span.start, numbers);
+        self.go_on_behind(last);
+        count
+    }
+
+    /// Takes rows of a letter and `N` numbers each, at most so many, as [`Self::take_numbers`] does.
+    pub(super) fn take_rows<const N: usize, T: Number>(
+        &mut self,
+        letter: u8,
+        most: usize,
+        each: impl FnMut([T; N]),
+    ) -> usize {
+        let Some(first) = self.ahead else { return 0 };
+        let (count, last) = self.lexer.lettered_rows(first.span.start, letter, most, each);
+        self.go_on_behind(last);
+        count
+    }
+
+    fn go_on_behind(&mut self, last: Option<Span>) {
         if let Some(last) = last {
             self.previous = last;
             self.previous_closes = false;
             self.ahead = self.lexer.next();
         }
-        count
     }
 
     /// The lines after the word last taken, up to the one that begins with the word `end`, which is taken too; `None` when

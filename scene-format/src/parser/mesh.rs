@@ -95,13 +95,11 @@ impl<'s> Parser<'s> {
         let (mut positions, mut normals) = (Vec::with_capacity(capacity), Vec::with_capacity(capacity));
         let mut uvs = Vec::with_capacity(capacity);
         let place = self.cursor.here();
-        for row in 0..points.count {
-            self.line_start("v", points, row)?;
-            let [x, y, z, nx, ny, nz, u, v] = self.row(points, row)?;
+        self.lettered_rows("v", points, |[x, y, z, nx, ny, nz, u, v]: [f32; 8]| {
             positions.push([x, y, z]);
             normals.push([nx, ny, nz]);
             uvs.push([u, v]);
-        }
+        })?;
         let place = place.to(self.cursor.previous());
         mesh.points = Some(Spanned::new(positions, place));
         mesh.normals = Spanned::new(PerVertex::Vertex(normals), place);
@@ -109,10 +107,7 @@ impl<'s> Parser<'s> {
         mesh.triangles_begin = Some(self.cursor.clone());
         let place = self.cursor.here();
         let mut corners = Vec::with_capacity(self.capacity(triangles.count, 4));
-        for row in 0..triangles.count {
-            self.line_start("t", triangles, row)?;
-            corners.push(self.row(triangles, row)?);
-        }
+        self.lettered_rows("t", triangles, |row| corners.push(row))?;
         mesh.triangles = Some(Spanned::new(corners, place.to(self.cursor.previous())));
         Ok(Field::Known)
     }
@@ -233,13 +228,30 @@ impl<'s> Parser<'s> {
         Ok(())
     }
 
-    fn row<const N: usize, T: Number>(&mut self, list: List<'_>, row: usize) -> Read<[T; N]> {
-        let mut numbers = [T::default(); N];
-        let quick = self.cursor.take_numbers(&mut numbers);
-        for number in numbers.get_mut(quick..).unwrap_or_default() {
-            *number = self.list_number(list, row)?;
+    /// Reads the rows of a list that begin with a letter.
+    fn lettered_rows<const N: usize, T: Number>(
+        &mut self,
+        letter: &str,
+        list: List<'_>,
+        mut each: impl FnMut([T; N]),
+    ) -> Read<()> {
+        let byte = letter.bytes().next().unwrap_or_default();
+        let mut row = 0;
+        loop {
+            if !self.marks_rows() {
+                row += self.cursor.take_rows(byte, list.count - row, &mut each);
+            }
+            if row == list.count {
+                return Ok(());
+            }
+            self.line_start(letter, list, row)?;
+            let mut numbers = [T::default(); N];
+            for number in &mut numbers {
+                *number = self.list_number(list, row)?;
+            }
+            each(numbers);
+            row += 1;
         }
-        Ok(numbers)
     }
 
     fn list_number<T: Number>(&mut self, list: List<'_>, row: usize) -> Read<T> {
