@@ -22,16 +22,20 @@ pub trait Accelerator: Send + Sync {
 }
 
 /// What an accelerator was built of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
-    /// Cells that are divided further.
+    /// Nodes that lead to others.
     pub branches: usize,
-    /// Cells that are not, and hold something.
+    /// Those that do not, and hold something.
     pub leaves: usize,
-    /// Divisions from the root to the deepest leaf.
+    /// Nodes that lead to others, from the root to the deepest leaf.
     pub depth: usize,
     /// Entries in the leaves: more than primitives, where one stands in several cells.
     pub references: usize,
+    /// The most entries in one leaf.
+    pub largest_leaf: usize,
+    /// What a ray that meets the root costs, as the builder reckons by the surface area heuristic, in the builder's own unit.
+    pub cost: f32,
     /// Memory beside the primitives themselves.
     pub bytes: usize,
 }

@@ -12,9 +12,10 @@
 mod accelerator;
 mod none;
 mod octree;
+mod ordinary;
 mod wide;
 
 pub use accelerator::{Accelerator, Statistics};
 pub use none::none;
 pub use octree::octree;
-pub use wide::wide;
+pub use wide::{Hits, Instructions, wide, wide_watertight, wide_with};

@@ -13,12 +13,22 @@ struct EveryPrimitive {
 
 impl Accelerator for EveryPrimitive {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        closest_of(&self.primitives, 0..self.primitives.len(), ray, within, None)
+        closest_of_all(&self.primitives, ray, within)
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        (0..self.primitives.len()).any(|number| self.primitives.intersect(number, ray, within).is_some())
+        any_of_all(&self.primitives, ray, within)
     }
+}
+
+/// The nearest hit of all primitives.
+pub(crate) fn closest_of_all(primitives: &Primitives, ray: &Ray, within: Interval) -> Option<Hit> {
+    closest_of(primitives, 0..primitives.len(), ray, within, None)
+}
+
+/// Whether any primitive is hit.
+pub(crate) fn any_of_all(primitives: &Primitives, ray: &Ray, within: Interval) -> bool {
+    (0..primitives.len()).any(|number| primitives.intersect(number, ray, within).is_some())
 }
 
 /// The nearest of `nearest` and the hits of the numbered primitives, by the order of [`Hit::is_before`].

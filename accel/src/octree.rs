@@ -20,7 +20,11 @@ mod traverse;
 use geometry::{Aabb, Hit, Interval, Primitives, Ray};
 use glam::Vec3;
 
-use crate::{Accelerator, Statistics, none::closest_of};
+use crate::{
+    Accelerator, Statistics,
+    none::{any_of_all, closest_of, closest_of_all},
+    ordinary::is_ordinary,
+};
 
 /// Builds the octree.
 pub fn octree(primitives: Primitives) -> Box<dyn Accelerator> {
@@ -37,6 +41,8 @@ struct Octree {
     /// The leaves' primitives, leaf by leaf, each in rising order.
     references: Vec<u32>,
     depth: usize,
+    /// What a ray that passes the root costs, in tests of a primitive.
+    cost: f32,
 }
 
 /// A cell's cube. Computed on the way down, by the same steps when building and when traversing.
@@ -71,6 +77,9 @@ impl Cell {
 
 impl Accelerator for Octree {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        if !is_ordinary(ray) {
+            return closest_of_all(&self.primitives, ray, within);
+        }
         let mut nearest: Option<Hit> = None;
         self.traverse(ray, within, &mut |references| {
             nearest = closest_of(&self.primitives, references.iter().copied(), ray, within, nearest);
@@ -80,9 +89,12 @@ impl Accelerator for Octree {
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
+        if !is_ordinary(ray) {
+            return any_of_all(&self.primitives, ray, within);
+        }
         let mut found = false;
         self.traverse(ray, within, &mut |references| {
-            found = references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
+            found |= references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
             if found { f32::NEG_INFINITY } else { within.max }
         });
         found
@@ -90,12 +102,20 @@ impl Accelerator for Octree {
 
     fn statistics(&self) -> Statistics {
         let branches = self.nodes.iter().filter(|node| matches!(node, Node::Branch { .. })).count();
-        let leaves = self.nodes.iter().filter(|node| matches!(node, Node::Leaf { count: 1.., .. })).count();
+        let leaf_sizes = || {
+            self.nodes.iter().filter_map(|node| match node {
+                Node::Leaf { count: count @ 1.., .. } => Some(*count as usize),
+                _ => None,
+            })
+        };
+        let leaves = leaf_sizes().count();
         Statistics {
             branches,
             leaves,
             depth: self.depth,
             references: self.references.len(),
+            largest_leaf: leaf_sizes().max().unwrap_or(0),
+            cost: self.cost,
             bytes: size_of_val(&self.nodes[..]) + size_of_val(&self.references[..]),
         }
     }

@@ -4,15 +4,23 @@ mod boxes;
 mod build;
 mod cells;
 mod collapse;
+mod decide;
 mod layout;
 mod morton;
 mod simd;
 mod traverse;
 mod triangles;
 
+use std::marker::PhantomData;
+
 use geometry::{Hit, Interval, Primitives, Ray};
 
-use crate::{Accelerator, Statistics, none::closest_of};
+use crate::{
+    Accelerator, Statistics,
+    none::{any_of_all, closest_of_all},
+    ordinary::is_ordinary,
+};
+use decide::{Decide, Exact, Watertight};
 use layout::{Block, Link, Mixed, Node};
 use simd::{Isa, Portable};
 
@@ -23,19 +31,84 @@ const MOST_LEVELS: usize = 3 * (21 + 11);
 /// What a ray can have to visit, at most: of each level the slots that it is not in.
 const MOST_PENDING: usize = 7 * MOST_LEVELS + 1;
 
-/// Builds the wide octree.
+/// Builds the wide octree; its hits are those of [`crate::none`], bit for bit.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {
-    let tree = build::build(&primitives);
+    best(primitives, Hits::Exact)
+}
+
+/// Builds the wide octree, with hits decided in `f32`: see [`Hits::Watertight`].
+pub fn wide_watertight(primitives: Primitives) -> Box<dyn Accelerator> {
+    best(primitives, Hits::Watertight)
+}
+
+/// How the wide octree decides whether a ray meets a triangle of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hits {
+    /// In `f64`, by [`geometry::TriangleProbe`]: as every other accelerator does.
+    Exact,
+    /// In `f32`, by edge functions that leave no gap between triangles that share an edge. Faster; `t`, `u` and `v` of the nearest are
+    /// computed in `f64`. A ray aimed at an edge may meet the other one of the triangles there.
+    Watertight,
+}
+
+/// The instructions that the wide octree can be traversed with. All give the same hits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// x86-64 with AVX-512 (F, VL, DQ).
+    Avx512,
+    /// x86-64 with AVX2 and FMA.
+    Avx2,
+    /// Any processor.
+    Portable,
+}
+
+impl Instructions {
+    /// From the fastest to the slowest.
+    pub const ALL: [Self; 3] = [Self::Avx512, Self::Avx2, Self::Portable];
+}
+
+fn best(primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
+    let with = Instructions::ALL.into_iter().filter_map(Traversal::of).next();
+    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits)
+}
+
+/// Builds the wide octree to be traversed with the instructions named; `None` if this processor does not have them.
+pub fn wide_with(primitives: Primitives, hits: Hits, instructions: Instructions) -> Option<Box<dyn Accelerator>> {
+    Traversal::of(instructions).map(|traversal| traversal.over(primitives, hits))
+}
+
+/// Instructions that this processor has.
+enum Traversal {
     #[cfg(target_arch = "x86_64")]
-    {
-        if let Some(isa) = simd::Avx512::detect() {
-            return Box::new(Wide { isa, primitives, tree });
-        }
-        if let Some(isa) = simd::Avx2::detect() {
-            return Box::new(Wide { isa, primitives, tree });
+    Avx512(simd::Avx512),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(simd::Avx2),
+    Portable(Portable),
+}
+
+impl Traversal {
+    fn of(instructions: Instructions) -> Option<Self> {
+        match instructions {
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx512 => simd::Avx512::detect().map(Self::Avx512),
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx2 => simd::Avx2::detect().map(Self::Avx2),
+            #[cfg(not(target_arch = "x86_64"))]
+            Instructions::Avx512 | Instructions::Avx2 => None,
+            Instructions::Portable => Some(Self::Portable(Portable)),
         }
     }
-    Box::new(Wide { isa: Portable, primitives, tree })
+
+    fn over(self, primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
+        let tree = build::build(&primitives);
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(isa) => Wide::boxed(isa, primitives, tree, hits),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(isa) => Wide::boxed(isa, primitives, tree, hits),
+            Self::Portable(isa) => Wide::boxed(isa, primitives, tree, hits),
+        }
+    }
 }
 
 struct Tree {
@@ -52,56 +125,63 @@ struct Tree {
     magnitude: f32,
     /// Levels of nodes.
     depth: usize,
+    leaves: usize,
+    largest_leaf: usize,
+    /// What a ray that meets the root's box costs, in visits of a node.
+    cost: f32,
 }
 
-struct Wide<I> {
+struct Wide<I, D> {
     isa: I,
+    decide: PhantomData<D>,
     primitives: Primitives,
     tree: Tree,
 }
 
-/// Whether the bounds argued for hold for a ray: nothing in it is infinite or a NaN, and nothing overflows. Other rays ask every primitive.
-fn is_ordinary(ray: &Ray) -> bool {
-    const FARTHEST: f32 = (1_u64 << 40) as f32;
-    let length = ray.direction.abs().max_element();
-    // NaN compares false.
-    ray.origin.abs().cmplt(glam::Vec3::splat(FARTHEST)).all()
-        && ray.direction.abs().cmplt(glam::Vec3::splat(FARTHEST)).all()
-        && length > 1.0 / FARTHEST
+impl<I: Isa + Send + Sync + 'static> Wide<I, Exact> {
+    fn boxed(isa: I, primitives: Primitives, tree: Tree, hits: Hits) -> Box<dyn Accelerator> {
+        match hits {
+            Hits::Exact => Box::new(Self { isa, decide: PhantomData, primitives, tree }),
+            Hits::Watertight => Box::new(Wide::<I, Watertight> { isa, decide: PhantomData, primitives, tree }),
+        }
+    }
 }
 
-impl<I: Isa + Send + Sync> Accelerator for Wide<I> {
+impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         if !is_ordinary(ray) {
-            return closest_of(&self.primitives, 0..self.primitives.len(), ray, within, None);
+            return closest_of_all(&self.primitives, ray, within);
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
         )
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         if !is_ordinary(ray) {
-            return (0..self.primitives.len()).any(|number| self.primitives.intersect(number, ray, within).is_some());
+            return any_of_all(&self.primitives, ray, within);
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
         )
     }
 
     fn statistics(&self) -> Statistics {
-        let Tree { nodes, blocks, mixed, asked, depth, .. } = &self.tree;
+        let Tree { nodes, blocks, mixed, asked, beside, depth, leaves, largest_leaf, cost, .. } = &self.tree;
         Statistics {
             branches: nodes.len(),
-            leaves: blocks.len(),
+            leaves: *leaves,
             depth: *depth,
             references: self.primitives.len() as usize,
+            largest_leaf: *largest_leaf,
+            cost: *cost,
             bytes: size_of_val(&nodes[..])
                 + size_of_val(&blocks[..])
                 + size_of_val(&mixed[..])
-                + size_of_val(&asked[..]),
+                + size_of_val(&asked[..])
+                + size_of_val(&beside[..]),
         }
     }
 }

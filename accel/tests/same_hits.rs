@@ -1,7 +1,8 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
-use accel::{Accelerator, none, octree, wide};
-use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitives, Ray, Sphere, Transform};
+use accel::{Accelerator, Hits, Instructions, none, octree, wide, wide_with};
+use geometry::conformance::{Aimed, Enclosed, closed_meshes, times, triangles, wild_vectors};
+use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitive, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
@@ -56,20 +57,91 @@ fn primitives(things: &[Thing]) -> Primitives {
     primitives
 }
 
-/// Rays in general, along axes and faces, and aimed at points of the grid: vertices, edges, centres.
-fn ray() -> impl Strategy<Value = Ray> {
-    let zeroed = (point(), 0_usize..8).prop_map(|(direction, keep)| {
-        Vec3::from(
-            [0, 1, 2]
-                .map(|axis| if keep >> axis & 1 == 1 { direction[axis] } else { 0.0_f32.copysign(direction[axis]) }),
-        )
+/// A ray, or how to aim one at the things.
+#[derive(Clone, Debug)]
+enum Aim {
+    Free(Ray),
+    /// From a point, so many times as far away, at a place of a triangle: a corner, a place on an edge, one inside.
+    At {
+        from: Vec3,
+        far: f32,
+        triangle: prop::sample::Index,
+        weights: [f32; 3],
+        length: f32,
+    },
+    /// In a triangle's plane: from one place of it to another, the first as far outside as its weights say.
+    Within {
+        triangle: prop::sample::Index,
+        from: [f32; 3],
+        to: [f32; 3],
+    },
+}
+
+impl Aim {
+    fn ray(&self, things: &[Thing]) -> Ray {
+        let triangles: Vec<[Vec3; 3]> = things
+            .iter()
+            .filter_map(|thing| if let Thing::Triangle(corners) = thing { Some(*corners) } else { None })
+            .collect();
+        let place = |index: &prop::sample::Index, [a, b, c]: [f32; 3]| {
+            if triangles.is_empty() {
+                return Vec3::new(a, b, c);
+            }
+            let corners = triangles[index.index(triangles.len())];
+            a * corners[0] + b * corners[1] + c * corners[2]
+        };
+        match self {
+            Self::Free(ray) => *ray,
+            Self::At { from, far, triangle, weights, length } => {
+                let origin = *from * *far;
+                Ray::new(origin, (place(triangle, *weights) - origin) * *length)
+            }
+            Self::Within { triangle, from, to } => {
+                let origin = place(triangle, *from);
+                Ray::new(origin, place(triangle, *to) - origin)
+            }
+        }
+    }
+}
+
+/// Rays in general, along axes and faces, with components zero and denormal, from far away, aimed at corners, edges and places of
+/// triangles, and running in their planes.
+fn aim() -> impl Strategy<Value = Aim> {
+    let zeroed = (point(), 0_usize..8, prop_oneof![Just(0.0_f32), Just(1e-45), Just(1e-39), Just(1e-30)]).prop_map(
+        |(direction, keep, tiny)| {
+            let component = |axis: usize| {
+                if keep >> axis & 1 == 1 { direction[axis] } else { tiny.copysign(direction[axis]) }
+            };
+            Vec3::new(component(0), component(1), component(2))
+        },
+    );
+    let far = || prop_oneof![4 => Just(1.0_f32), 1 => Just(1e3_f32), 1 => Just(1e6_f32), 1 => Just(4e6_f32)];
+    let length = || prop_oneof![3 => Just(1.0_f32), 1 => 1e-3_f32..1e3, 1 => Just(1e-20_f32), 1 => Just(1e20_f32)];
+    let corner = prop::sample::select(vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    let edge = (0.0_f32..1.0, 0_usize..3).prop_map(|(a, turn)| {
+        let mut weights = [a, 1.0 - a, 0.0];
+        weights.rotate_left(turn);
+        weights
     });
-    let far = prop_oneof![4 => Just(1.0_f32), 1 => Just(1e3_f32), 1 => Just(1e6_f32)];
+    let inside = (0.0_f32..1.0, 0.0_f32..1.0).prop_map(|(a, b)| [a * (1.0 - b), (1.0 - a) * (1.0 - b), b]);
+    let weights = || prop_oneof![corner.clone(), edge.clone(), inside.clone()];
+    let around = prop_oneof![weights(), (-3.0_f32..3.0, -3.0_f32..3.0).prop_map(|(a, b)| [a, b, 1.0 - a - b])];
+    let index = any::<prop::sample::Index>;
     prop_oneof![
-        (point(), point()).prop_map(|(origin, direction)| Ray::new(origin, direction)),
-        (point(), zeroed).prop_map(|(origin, direction)| Ray::new(origin, direction)),
-        (point(), point(), far, 1e-3_f32..1e3)
-            .prop_map(|(origin, target, far, length)| { Ray::new(origin * far, (target - origin * far) * length) }),
+        (point(), point()).prop_map(|(origin, direction)| Aim::Free(Ray::new(origin, direction))),
+        (point(), zeroed, far()).prop_map(|(origin, direction, far)| Aim::Free(Ray::new(origin * far, direction))),
+        (point(), point(), far(), length()).prop_map(|(origin, target, far, length)| {
+            Aim::Free(Ray::new(origin * far, (target - origin * far) * length))
+        }),
+        (point(), far(), index(), weights(), length()).prop_map(|(from, far, triangle, weights, length)| Aim::At {
+            from,
+            far,
+            triangle,
+            weights,
+            length
+        }),
+        (index(), around, weights()).prop_map(|(triangle, from, to)| Aim::Within { triangle, from, to }),
+        (wild_vectors(), wild_vectors()).prop_map(|(origin, direction)| Aim::Free(Ray::new(origin, direction))),
     ]
 }
 
@@ -77,57 +149,126 @@ fn interval() -> impl Strategy<Value = Interval> {
     prop_oneof![
         Just(Interval::FORWARD),
         Just(Interval::SEGMENT),
+        Just(Interval { min: f32::NEG_INFINITY, max: f32::INFINITY }),
         (-2.0_f32..2.0, 0.0_f32..4.0).prop_map(|(min, length)| Interval { min, max: min + length })
     ]
 }
 
+/// All that promise the hits of asking every primitive: the octree, and the wide one with each instruction set that there is here.
+fn accelerators(primitives: &Primitives) -> Vec<(String, Box<dyn Accelerator>)> {
+    let wide = Instructions::ALL.into_iter().filter_map(|instructions| {
+        let built = wide_with(primitives.clone(), Hits::Exact, instructions)?;
+        Some((format!("wide, {instructions:?}"), built))
+    });
+    wide.chain([("octree".to_owned(), octree(primitives.clone()))]).collect()
+}
+
+/// Holds every accelerator to the hits of asking every primitive: one ray at a time, and many at once.
+fn assert_same_hits(all: &Primitives, rays: &[(Ray, Interval)]) {
+    let asked = none(all.clone());
+    let forward: Vec<Ray> = rays.iter().map(|&(ray, _)| ray).collect();
+    let expected: Vec<_> = rays.iter().map(|(ray, within)| asked.closest(ray, *within)).collect();
+    let ahead: Vec<_> = forward.iter().map(|ray| asked.closest(ray, Interval::FORWARD)).collect();
+    for (name, accelerator) in accelerators(all) {
+        for (&(ray, within), &expected) in rays.iter().zip(&expected) {
+            assert_eq!(accelerator.closest(&ray, within), expected, "{name}: {ray:?} {within:?}");
+            assert_eq!(accelerator.any(&ray, within), expected.is_some(), "{name}: {ray:?} {within:?}");
+        }
+        let mut hits = vec![None; rays.len()];
+        accelerator.closest_many(&forward, &mut hits);
+        for ((ray, hit), expected) in forward.iter().zip(hits).zip(&ahead) {
+            assert_eq!(hit, *expected, "{name}, many: {ray:?}");
+        }
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(times(8))]
 
     #[test]
-    fn the_octree_finds_what_asking_every_primitive_finds(
+    fn every_accelerator_finds_what_asking_every_primitive_finds(
         things in prop::collection::vec(thing(), 0..60),
-        rays in prop::collection::vec((ray(), interval()), 20),
+        aims in prop::collection::vec((aim(), interval()), 40),
     ) {
-        let all = primitives(&things);
-        let asked = none(all.clone());
-        for build in [octree, wide] as [fn(Primitives) -> Box<dyn Accelerator>; 2] {
-        let octree = build(all.clone());
-        for &(ray, within) in &rays {
-            let expected = asked.closest(&ray, within);
-            prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
-            prop_assert_eq!(octree.any(&ray, within), expected.is_some(), "{:?} {:?}", ray, within);
-        }}
+        let rays: Vec<_> = aims.iter().map(|(aim, within)| (aim.ray(&things), *within)).collect();
+        assert_same_hits(&primitives(&things), &rays);
+    }
+
+    /// Triangles of any size and shape, up to 1e6 times as far from the origin as they are large, beside each other.
+    #[test]
+    fn so_it_does_among_slivers_giants_and_dust(
+        aimed in prop::collection::vec(triangles(), 1..40),
+    ) {
+        let mut all = Primitives::default();
+        for Aimed { shape, .. } in &aimed {
+            let mesh = Mesh { positions: shape.corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
+            all.add_mesh(mesh);
+        }
+        let rays: Vec<_> = aimed.iter().map(|aimed| (aimed.ray, Interval::FORWARD)).collect();
+        assert_same_hits(&all, &rays);
     }
 
     #[test]
-    fn the_octree_finds_it_too_with_a_box_test_of_ones_own(
-        things in prop::collection::vec(thing(), 8..60),
-        rays in prop::collection::vec((ray(), interval()), 20),
+    fn watertight_hits_do_not_depend_on_the_instructions(
+        things in prop::collection::vec(thing(), 0..60),
+        aims in prop::collection::vec((aim(), interval()), 40),
     ) {
         let all = primitives(&things);
-        let kernels = Kernels {
-            aabb: Some(|bounds, ray, within| BoxProbe::new(ray, bounds.magnitude()).clip(*bounds, within)),
-            ..Kernels::default()
-        };
-        let (asked, octree) = (none(all.clone()), octree(all.with_kernels(kernels)));
-        for (ray, within) in rays {
-            let expected = asked.closest(&ray, within);
-            prop_assert_eq!(octree.closest(&ray, within), expected, "{:?} {:?}", ray, within);
-            prop_assert_eq!(octree.any(&ray, within), expected.is_some(), "{:?} {:?}", ray, within);
+        let rays: Vec<Ray> = aims.iter().map(|(aim, _)| aim.ray(&things)).collect();
+        let mut first = None;
+        for instructions in Instructions::ALL {
+            let Some(wide) = wide_with(all.clone(), Hits::Watertight, instructions) else { continue };
+            let mut hits = vec![None; rays.len()];
+            wide.closest_many(&rays, &mut hits);
+            let alone: Vec<_> = rays.iter().zip(&aims).map(|(ray, (_, within))| wide.closest(ray, *within)).collect();
+            let expected = first.get_or_insert((hits.clone(), alone.clone()));
+            prop_assert_eq!(&(hits, alone), expected, "{:?}", instructions);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(times(1))]
+
+    #[test]
+    fn so_it_does_from_inside_closed_meshes_where_each_ray_is_aimed_at_a_corner_or_an_edge(
+        Enclosed { mesh, rays } in closed_meshes(),
+    ) {
+        let mut all = Primitives::default();
+        all.add_mesh(mesh);
+        let rays: Vec<_> = rays.into_iter().map(|ray| (ray, Interval::FORWARD)).collect();
+        assert_same_hits(&all, &rays);
+    }
+
+    #[test]
+    fn watertight_hits_leave_no_gap_in_closed_meshes(Enclosed { mesh, rays } in closed_meshes()) {
+        let mut all = Primitives::default();
+        all.add_mesh(mesh);
+        for instructions in Instructions::ALL {
+            let Some(wide) = wide_with(all.clone(), Hits::Watertight, instructions) else { continue };
+            for ray in &rays {
+                prop_assert!(wide.closest(ray, Interval::FORWARD).is_some(), "{instructions:?}: {ray:?}");
+                prop_assert!(wide.any(ray, Interval::FORWARD), "{instructions:?}: {ray:?}");
+            }
         }
     }
 
     #[test]
-    fn many_rays_at_once_find_what_each_finds_alone(
-        things in prop::collection::vec(thing(), 0..20),
-        rays in prop::collection::vec(ray(), 10),
+    fn so_it_does_with_a_students_own_kernels(
+        things in prop::collection::vec(thing(), 8..60),
+        aims in prop::collection::vec((aim(), interval()), 40),
     ) {
-        let octree = octree(primitives(&things));
-        let mut hits = vec![None; rays.len()];
-        octree.closest_many(&rays, &mut hits);
-        let alone: Vec<_> = rays.iter().map(|ray| octree.closest(ray, Interval::FORWARD)).collect();
-        prop_assert_eq!(hits, alone);
+        let rays: Vec<_> = aims.iter().map(|(aim, within)| (aim.ray(&things), *within)).collect();
+        // A box test as good as the reference's; triangles that are met from the front alone.
+        let kernels = Kernels {
+            aabb: Some(|bounds, ray, within| BoxProbe::new(ray, bounds.magnitude()).clip(*bounds, within)),
+            triangle: Some(|triangle, ray, within| {
+                let from_front = triangle.scaled_normal().dot(ray.direction.as_dvec3()) < 0.0;
+                triangle.intersect(ray, within).filter(|_| from_front)
+            }),
+            ..Kernels::default()
+        };
+        assert_same_hits(&primitives(&things).with_kernels(kernels), &rays);
     }
 }
 

@@ -1,9 +1,12 @@
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::accuracy::instructions::KernelRun;
 use crate::options::{RenderOptions, parse_positive_seconds};
+use crate::scenes;
 
 /// Renders Sunflow .sc scenes: the ray tracer of a computer-graphics course.
 #[derive(Debug, Parser)]
@@ -40,8 +43,8 @@ pub(crate) enum Command {
     Accuracy(AccuracyArguments),
     /// Hold scenes, lit as by Sunflow, against Sunflow's own pictures of them, and print a table of differences.
     ///
-    /// A scene fails if less than 99.5 % of its pixels are within 2 of 255 in every channel (6 where there are textures), or if a pixel is
-    /// off by more than 2 that no edge beside it explains; one with a lens if its RMSE is above 0.01.
+    /// A scene misses its target if less than 99.5 % of its pixels are within 2 of 255 in every channel, or if another one is off and no
+    /// edge passes within 1/50 of a pixel of its ray; one with a lens if its RMSE is above 0.01.
     Parity(ParityArguments),
     /// Print completions for a shell.
     ///
@@ -106,6 +109,10 @@ pub(crate) struct RenderArguments {
     /// Render nothing if there is a warning.
     #[arg(long)]
     pub(crate) strict: bool,
+    /// Paint the pixels with rays whose light is no number (NaN, infinite, or too much to add up) in magenta, on the picture
+    /// dimmed to a quarter.
+    #[arg(long)]
+    pub(crate) show_nan: bool,
     /// Show no progress and no warnings: only errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -162,12 +169,22 @@ pub(crate) struct AccuracyArguments {
     /// Choose other random cases. The same seed gives the same errors on every run; times vary.
     #[arg(long, value_name = "N", default_value = "0")]
     pub(crate) seed: u64,
+    /// The built-in scenes that image errors are measured with. [default: all of them]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = scene_names())]
+    pub(crate) scenes: Vec<String>,
     /// A tenth of the cases, in a few seconds: for a first look.
     #[arg(long)]
     pub(crate) quick: bool,
+    /// Run only this kernel, so often, and write nothing: for tools that count instructions.
+    #[arg(long, value_name = "PRIMITIVE,WHOSE,PASSES", hide = true)]
+    pub(crate) run_kernel: Option<KernelRun>,
     /// Show no progress.
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+fn scene_names() -> PossibleValuesParser {
+    scenes::all().iter().map(|scene| scene.name).into()
 }
 
 #[derive(Debug, Args)]

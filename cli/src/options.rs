@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
 use geometry::{Kernels, naive};
-use render::{Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
+use render::{Allotment, Buckets, Crop, LightSamples, Lighting, Modules, Sampler, Settings};
 use scene_format::scene_file::BucketOrder;
 use shading::SoftShadows;
 
@@ -19,15 +19,21 @@ pub(crate) struct RenderOptions {
     /// The picture's size, instead of the scene's own.
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
-    /// Cut each pixel into 2^N x 2^N zones (0 to 8), instead of what the scene's `aa` says.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=8))]
-    aa: Option<u32>,
+    /// Cut each pixel into 2^N x 2^N zones (0 to 8), instead of what the scene's `aa` says. With `--adaptive`, pixels get the rays of
+    /// 2^LEAST x 2^LEAST to 2^N x 2^N zones.
+    #[arg(long, value_name = "[LEAST,]N", value_parser = parse_aa)]
+    aa: Option<AaOption>,
     /// Rays at random places of each zone (1 to 65535), instead of the scene's own.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65535))]
     samples: Option<u32>,
-    /// Where samples fall. [default: random; with `--lighting sunflow` zones' middles]
+    /// Where samples fall. [default: sobol; with `--lighting sunflow` in the middle of zones]
     #[arg(long, value_enum)]
     sampler: Option<SamplerName>,
+    /// Give pixels more or fewer rays, between what the scene's two `aa` numbers say: the more, the farther the rays of their neighbours
+    /// are apart. CONTRAST is how far they must be for more than the fewest, from 0 to 1, which is white against black: the smaller, the
+    /// better the picture. [default: the scene's `contrast`, or 0.1]
+    #[arg(long, value_name = "CONTRAST", num_args = 0..=1, require_equals = true, value_parser = parse_contrast)]
+    adaptive: Option<Option<f32>>,
     /// How many threads to use. The picture does not depend on it. [default: all processors]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -35,9 +41,12 @@ pub(crate) struct RenderOptions {
     /// also with `reverse-` before it. The picture does not depend on it.
     #[arg(long, value_name = "SIZE[,ORDER]", value_parser = parse_buckets)]
     bucket: Option<BucketOption>,
-    /// How to find what a ray meets first. The picture does not depend on it.
+    /// How to find what a ray meets first. The picture does not depend on it. [default: wide]
     #[arg(long, value_enum)]
     accelerator: Option<AcceleratorName>,
+    /// How the wide octree decides whether a ray meets a triangle. [default: exact]
+    #[arg(long, value_enum)]
+    hits: Option<HitsName>,
     /// Render with the naive kernels of textbooks instead, to see what goes wrong: some, separated by commas, or all. The scene
     /// `scales` is hard for them; `girasol accuracy` measures them.
     #[arg(long, value_enum, value_name = "KERNEL,...", value_delimiter = ',')]
@@ -76,6 +85,16 @@ pub(crate) enum AcceleratorName {
     None,
     /// Cubes halved into eight, as in the report.
     Octree,
+    /// The same cubes, gathered into nodes of eight boxes that are tested at once.
+    Wide,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum HitsName {
+    /// In 64 bits, as every other accelerator does: the same picture, bit for bit.
+    Exact,
+    /// In 32 bits, without gaps between triangles: faster. At an edge a ray may meet the neighbour instead.
+    Watertight,
 }
 
 /// The samplers that can be named.
@@ -156,22 +175,25 @@ struct BucketOption {
     order: Option<(BucketOrder, bool)>,
 }
 
-impl RenderOptions {
-    /// Those of a picture to be held against Sunflow's.
-    pub(crate) fn lit_as_by_sunflow() -> Self {
-        Self { lighting: Some(LightingName::Sunflow), ..Self::default() }
-    }
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct AaOption {
+    least: u32,
+    most: u32,
+}
 
+impl RenderOptions {
     /// The parts to render with.
     pub(crate) fn modules(&self, modules: Modules) -> Modules {
         let modules = match self.lighting {
             None | Some(LightingName::Report) => modules,
             Some(LightingName::Sunflow) => modules.lit_as_by_sunflow(),
         };
-        let accelerator = match self.accelerator {
-            None => modules.accelerator,
-            Some(AcceleratorName::None) => accel::none,
-            Some(AcceleratorName::Octree) => accel::octree,
+        let accelerator = match (self.accelerator, self.hits) {
+            (None, None) => modules.accelerator,
+            (Some(AcceleratorName::None), _) => accel::none,
+            (Some(AcceleratorName::Octree), _) => accel::octree,
+            (_, Some(HitsName::Watertight)) => accel::wide_watertight,
+            (Some(AcceleratorName::Wide), _) | (None, Some(HitsName::Exact)) => accel::wide,
         };
         let falloff = match self.falloff {
             None => modules.falloff,
@@ -208,6 +230,7 @@ impl RenderOptions {
                 .help("--crop takes the left column, the top row, the width and the height, counted from 0"));
             }
         }
+        let aa = self.aa.unwrap_or(AaOption { least: scene.least_aa.min(scene.aa), most: scene.aa });
         let buckets = match self.bucket {
             None => scene.buckets,
             Some(BucketOption { size, order: None }) => Buckets { size, ..scene.buckets },
@@ -216,7 +239,10 @@ impl RenderOptions {
         Ok(Settings {
             size,
             crop: self.crop,
-            aa: self.aa.unwrap_or(scene.aa),
+            aa: aa.most,
+            least_aa: aa.least,
+            allotment: if self.adaptive.is_some() { Allotment::Adaptive } else { scene.allotment },
+            contrast: self.adaptive.flatten().unwrap_or(scene.contrast),
             samples: self.samples.unwrap_or(scene.samples),
             light_samples: self.light_samples.unwrap_or(scene.light_samples),
             seed: self.seed.unwrap_or(scene.seed),
@@ -235,6 +261,20 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let edge = |part: &str| part.trim().parse().ok().filter(|edge| (1..=LARGEST_EDGE).contains(edge));
     let sizes = text.split_once(['x', 'X']).and_then(|(width, height)| Some([edge(width)?, edge(height)?]));
     sizes.ok_or_else(|| format!("a size is a width and a height of 1 to {LARGEST_EDGE} pixels, as in 640x480"))
+}
+
+fn parse_aa(text: &str) -> Result<AaOption, String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|aa| (0..=8).contains(aa));
+    let (least, most) = text.split_once(',').unwrap_or(("0", text));
+    match (number(least), number(most)) {
+        (Some(least), Some(most)) if least <= most => Ok(AaOption { least, most }),
+        _ => Err("a number from 0 to 8, or two, the smaller one first, as in 2 or 0,2".to_owned()),
+    }
+}
+
+fn parse_contrast(text: &str) -> Result<f32, String> {
+    let contrast = text.parse().ok().filter(|&contrast| contrast > 0.0 && contrast <= 1.0);
+    contrast.ok_or_else(|| "a contrast is a number above 0, up to 1".to_owned())
 }
 
 fn parse_crop(text: &str) -> Result<Crop, String> {
@@ -303,10 +343,16 @@ pub(crate) fn parse_positive_seconds(text: &str) -> Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::num::NonZeroU32;
 
     #[test]
     fn sizes_crops_and_buckets_are_read() {
         assert_eq!(parse_size("640x480"), Ok([640, 480]));
+        assert_eq!(parse_aa("2"), Ok(AaOption { least: 0, most: 2 }));
+        assert_eq!(parse_aa("1,3"), Ok(AaOption { least: 1, most: 3 }));
+        assert_eq!(parse_contrast("0.05"), Ok(0.05));
+        assert_eq!(parse_light_samples("all"), Ok(LightSamples::All));
+        assert_eq!(parse_light_samples("2"), Ok(LightSamples::Each(NonZeroU32::MIN.saturating_add(1))));
         assert_eq!(parse_crop("1, 2,3,4"), Ok(Crop { x: 1, y: 2, width: 3, height: 4 }));
         assert_eq!(parse_buckets("16"), Ok(BucketOption { size: 16, order: None }));
         let spiral = BucketOption { size: 16, order: Some((BucketOrder::Spiral, true)) };
@@ -318,6 +364,15 @@ mod tests {
     fn nonsense_is_turned_down() {
         for size in ["", "640", "0x480", "640x-1", "99999x1", "4294967297x1"] {
             assert!(parse_size(size).is_err(), "{size}");
+        }
+        for aa in ["", "9", "-1", "2,1", "0,9", "0,1,2", "x"] {
+            assert!(parse_aa(aa).is_err(), "{aa}");
+        }
+        for contrast in ["", "0", "-1", "1.5", "nan", "x"] {
+            assert!(parse_contrast(contrast).is_err(), "{contrast}");
+        }
+        for samples in ["", "0", "-1", "some", "4294967296"] {
+            assert!(parse_light_samples(samples).is_err(), "{samples}");
         }
         for crop in ["", "1,2,3", "1,2,0,4", "1,2,3,4,5", "a,b,c,d"] {
             assert!(parse_crop(crop).is_err(), "{crop}");

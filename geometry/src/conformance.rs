@@ -63,7 +63,7 @@ pub struct Enclosed {
     pub rays: Vec<Ray>,
 }
 
-/// How many cases a law is tried on: a multiple of proptest's own number, which `PROPTEST_CASES` sets.
+/// How many cases a law is tried on: a multiple of proptest's own number. `PROPTEST_CASES` sets one number for all laws.
 ///
 /// Failures are not kept in a file: each becomes a literal test.
 pub fn times(factor: u32) -> ProptestConfig {
@@ -289,7 +289,7 @@ pub fn unit_vector() -> impl Strategy<Value = DVec3> {
 }
 
 /// Numbers whose logarithm is spread evenly.
-fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
+pub fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> + Clone {
     (libm::log(from)..libm::log(to)).prop_map(libm::exp)
 }
 
@@ -369,7 +369,7 @@ fn unit_sphere_line() -> impl Strategy<Value = (DVec3, DVec3)> {
 
 /// An octahedron whose triangles were split in four a number of times: points (not on a sphere), and corners
 /// counter-clockwise from outside.
-fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub fn split_octahedron(splits: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let mut points = vec![DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
     let mut triangles: Vec<[u32; 3]> =
         vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];

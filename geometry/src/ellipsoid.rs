@@ -63,6 +63,8 @@ impl Primitive for Ellipsoid {
         Aabb { min: round_down(self.to_world.translation - reach), max: round_up(self.to_world.translation + reach) }
     }
 
+    /// As for the sphere, as the unit sphere sees it: a rounding of `f64` is multiplied by the map's condition number. A translation
+    /// of 1e6 costs nothing.
     fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection> {
         first_within(self.unit_roots(ray)?, within)
     }

@@ -10,7 +10,6 @@ mod plane;
 mod ray_origin;
 mod sphere;
 mod triangle;
-mod uv;
 
 pub use aabb::slab_test;
 pub use ellipsoid::single_precision_inverse;
@@ -18,7 +17,6 @@ pub use plane::rejecting_near_parallel;
 pub use ray_origin::{OFFSET, hit_point, offset_along_normal, offset_along_ray};
 pub use sphere::quadratic_formula;
 pub use triangle::moeller_trumbore;
-pub use uv::sphere_uv;
 
 use crate::Kernels;
 

@@ -45,7 +45,10 @@ impl Transform {
         Self { linear: next.linear * self.linear, translation: next.linear * self.translation + next.translation }
     }
 
-    /// The way back, if there is one: `None` when the map flattens space or holds a NaN or an infinity.
+    /// The way back, if there is one. Far from the origin apply its linear part to a difference, as [`crate::Ellipsoid`] does: the
+    /// translation that it holds cancels against a point's.
+    ///
+    /// There is none: `None` when the map flattens space or holds a NaN or an infinity.
     pub fn inverse(&self) -> Option<Self> {
         let determinant = self.linear.determinant();
         let inverse = self.linear.inverse();

@@ -1,4 +1,4 @@
-use glam::{DVec3, Vec3, swizzles::Vec3Swizzles};
+use glam::{DVec3, Vec3};
 
 use crate::{Intersection, Interval, Ray};
 
@@ -19,7 +19,9 @@ use crate::{Intersection, Interval, Ray};
 /// slips through. (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013; in `f64` from `f32` corners, two-sided.)
 ///
 /// `t` is that of the triangle's plane, not the corners' depths weighted: a sliver's weights cancel. The plane's normal does not:
-/// its terms are products of differences of `f32`, exact in `f64`, so that only their difference is rounded.
+/// its terms are products of differences of `f32`, exact in `f64`, so that only their difference is rounded. It is right to 0.51 ulp of
+/// `f32`, `u` and `v` to that and 2^-50 of the corners' distance over the width seen; hit and miss are right where an edge is not
+/// passed as closely as that, and never leave a gap between neighbours. (`tests/laws/triangle.rs`, `accel/tests/watertight.rs`.)
 ///
 /// # Every hit lies in the triangle's box
 ///
@@ -38,8 +40,8 @@ use crate::{Intersection, Interval, Ray};
 /// The projected corners themselves are off by a few `v` of their distance, as much less than that slack.
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleProbe {
-    /// Which axis has become z.
-    along: Axis,
+    /// Which of x, y, z have become x, y, z.
+    axes: [usize; 3],
     /// With its axes turned.
     origin: DVec3,
     /// With its axes turned: z is the largest component.
@@ -53,52 +55,72 @@ impl TriangleProbe {
     /// Makes a ray ready.
     #[inline]
     pub fn new(ray: &Ray) -> Self {
-        let along = largest_axis(ray.direction);
-        Self { along, origin: turned(ray.origin, along).as_dvec3(), direction: turned(ray.direction, along).as_dvec3() }
+        // Looked up, not branched on: rays that have been reflected go all ways.
+        const TURNED: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+        let axes = TURNED[largest_axis(ray.direction)];
+        Self { axes, origin: turned(ray.origin, axes).as_dvec3(), direction: turned(ray.direction, axes).as_dvec3() }
     }
 
     /// A point with the axes turned so that the ray's largest component is last.
     #[inline]
     pub fn turned(&self, point: Vec3) -> Vec3 {
-        turned(point, self.along)
+        turned(point, self.axes)
     }
 
     /// Which of x, y, z are the first, second and third component of [`Self::turned`].
     #[inline]
     pub fn axes(&self) -> [usize; 3] {
-        match self.along {
-            Axis::X => [1, 2, 0],
-            Axis::Y => [2, 0, 1],
-            Axis::Z => [0, 1, 2],
-        }
+        self.axes
     }
 
     /// Where the ray meets the triangle with these corners, each [`Self::turned`], strictly within the interval.
-    #[inline]
+    #[inline(always)]
     pub fn intersect(&self, corners: [Vec3; 3], within: Interval) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);
-        let [weight_a, weight_b, weight_c] = edge_functions(seen, self.direction)?;
-        let sum = weight_a + weight_b + weight_c;
+        let weights = edge_functions(seen, self.direction);
+        if !have_one_sign(weights) {
+            return None;
+        }
         // Edge-on, or without area: there is no one place where they meet.
+        let sum = weights[0] + weights[1] + weights[2];
         if sum == 0.0 {
             return None;
         }
-        let (along_b, along_c) = (corners[1] - corners[0], corners[2] - corners[0]);
-        let normal = along_b.cross(along_c);
-        let facing = normal.dot(self.direction);
-        let mut t = normal.dot(seen[0]) / facing;
-        let size = along_b.abs().max_element() * along_c.abs().max_element();
-        let is_edge_on = facing.abs() < EDGE_ON * size * self.direction.z.abs();
-        if is_edge_on || weight_a == 0.0 || weight_b == 0.0 || weight_c == 0.0 {
-            t = self.cut_to_box(seen, t)?;
-        }
-        let t = t as f32;
+        let t = self.t_of(corners, seen, weights)? as f32;
         if !within.contains(t) {
             return None;
         }
         let inverse = 1.0 / sum;
-        Some(Intersection { t, u: (weight_b * inverse) as f32, v: (weight_c * inverse) as f32 })
+        Some(Intersection { t, u: (weights[1] * inverse) as f32, v: (weights[2] * inverse) as f32 })
+    }
+
+    /// The `t` of a triangle that the ray meets: that of its plane, cut to its box if in doubt.
+    #[inline(always)]
+    fn t_of(&self, corners: [DVec3; 3], seen: [DVec3; 3], weights: [f64; 3]) -> Option<f64> {
+        let (along_b, along_c) = (corners[1] - corners[0], corners[2] - corners[0]);
+        let normal = along_b.cross(along_c);
+        let facing = normal.dot(self.direction);
+        let t = normal.dot(seen[0]) / facing;
+        let size = along_b.abs().max_element() * along_c.abs().max_element();
+        let is_edge_on = facing.abs() < EDGE_ON * size * self.direction.z.abs();
+        let is_in_doubt = is_edge_on | (weights[0] == 0.0) | (weights[1] == 0.0) | (weights[2] == 0.0);
+        if is_in_doubt { self.cut_to_box(seen, t) } else { Some(t) }
+    }
+
+    /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
+    /// decided again. The weights are cut to the triangle. `None` if the ray is beside the triangle's box after all.
+    #[inline(always)]
+    pub fn locate(&self, corners: [Vec3; 3]) -> Option<Intersection> {
+        let corners = corners.map(|corner| corner.as_dvec3());
+        let seen = corners.map(|corner| corner - self.origin);
+        let weights = edge_functions(seen, self.direction);
+        let inverse = 1.0 / (weights[0] + weights[1] + weights[2]);
+        // `f64::max` makes a NaN, of a triangle seen edge-on, 0.
+        let u = (weights[1] * inverse).max(0.0).min(1.0);
+        let v = (weights[2] * inverse).max(0.0).min(1.0 - u);
+        let t = self.t_of(corners, seen, weights)?;
+        Some(Intersection { t: t as f32, u: u as f32, v: v as f32 })
     }
 
     /// A `t` cut to where the ray is in the box of corners seen from its origin; `None` if that is nowhere. Where `t` is not a number,
@@ -130,48 +152,35 @@ impl TriangleProbe {
     }
 }
 
-/// The edge functions of corners seen from the origin, along a direction whose z is its largest component; `None` if they differ in
-/// sign.
-#[inline]
-fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> Option<[f64; 3]> {
+/// The edge functions of corners seen from the origin, along a direction whose z is its largest component.
+#[inline(always)]
+fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> [f64; 3] {
     let [a, b, c] = corners.map(|corner| {
         let sheared = corner.truncate() * direction.z - direction.truncate() * corner.z;
         [sheared.x, sheared.y]
     });
     let edge = |from: [f64; 2], to: [f64; 2]| to[0] * from[1] - to[1] * from[0];
-    let weights = [edge(b, c), edge(c, a), edge(a, b)];
-    let all_positive = weights.iter().all(|&weight| weight >= 0.0);
-    let all_negative = weights.iter().all(|&weight| weight <= 0.0);
-    (all_positive || all_negative).then_some(weights)
+    [edge(b, c), edge(c, a), edge(a, b)]
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Axis {
-    X,
-    Y,
-    Z,
+#[inline(always)]
+fn have_one_sign([a, b, c]: [f64; 3]) -> bool {
+    // Not &&: the comparisons are cheaper than branches on them.
+    ((a >= 0.0) & (b >= 0.0) & (c >= 0.0)) | ((a <= 0.0) & (b <= 0.0) & (c <= 0.0))
 }
 
 /// The axis of the component of largest magnitude; the first of equal ones.
 #[inline]
-fn largest_axis(direction: Vec3) -> Axis {
+fn largest_axis(direction: Vec3) -> usize {
     let [x, y, z] = direction.abs().to_array();
-    if x >= y && x >= z {
-        Axis::X
-    } else if y >= z {
-        Axis::Y
-    } else {
-        Axis::Z
-    }
+    let of_y_and_z = if y >= z { 1 } else { 2 };
+    if (x >= y) & (x >= z) { 0 } else { of_y_and_z }
 }
 
 #[inline]
-fn turned(v: Vec3, along: Axis) -> Vec3 {
-    match along {
-        Axis::X => v.yzx(),
-        Axis::Y => v.zxy(),
-        Axis::Z => v,
-    }
+fn turned(v: Vec3, [x, y, z]: [usize; 3]) -> Vec3 {
+    let v = v.to_array();
+    Vec3::new(v[x], v[y], v[z])
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@ use std::ops::AddAssign;
 
 use shading::{Color, srgb};
 
+use crate::LostRays;
+
 /// A finished picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
@@ -13,6 +15,8 @@ pub struct Film {
     pub pixels: Vec<Color>,
     /// What it took.
     pub rays: RayCounts,
+    /// Where it is not what the scene asks for.
+    pub lost: LostRays,
 }
 
 /// How many rays were traced.
@@ -42,12 +46,6 @@ impl AddAssign for RayCounts {
 }
 
 impl Film {
-    /// A black picture.
-    pub(crate) fn black(width: u32, height: u32) -> Self {
-        let count = width as usize * height as usize;
-        Self { width, height, pixels: vec![Color::BLACK; count], rays: RayCounts::default() }
-    }
-
     /// 8-bit sRGB: three bytes a pixel, row by row from the top; each the nearest to the linear value, clamped.
     pub fn to_srgb_bytes(&self) -> Vec<u8> {
         self.pixels.iter().flat_map(|pixel| pixel.to_array().map(srgb::encode_byte)).collect()

@@ -1,7 +1,7 @@
 use accel::Statistics;
 use geometry::PrimitiveCount;
 
-use crate::{Scene, Settings};
+use crate::{LightPlan, Scene, Settings};
 
 /// What a scene needs, and what it does not.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,9 +22,11 @@ pub struct Inventory {
     pub glass: bool,
     /// Lights, after soft shadows have made many of each.
     pub lights: usize,
+    /// How many of them are asked at each point.
+    pub lights_asked: usize,
     /// Whether the camera has a lens.
     pub lens: bool,
-    /// How many camera rays the settings ask for.
+    /// How many camera rays the settings ask for; the most, where they are not shared out evenly.
     pub camera_rays: u64,
 }
 
@@ -41,6 +43,7 @@ impl Scene {
             shaders: self.shaders.len(),
             glass: !self.shaders.iter().all(|shader| shader.casts_shadow()),
             lights: self.lights.len(),
+            lights_asked: LightPlan::new(self, settings.light_samples, settings.rays_per_pixel()).asked(),
             lens: self.camera.has_lens(),
             camera_rays: u64::from(window.width) * u64::from(window.height) * u64::from(settings.rays_per_pixel()),
         }

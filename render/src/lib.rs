@@ -10,14 +10,19 @@
 //! * Pixels are counted from the top left corner of the whole picture, also in a crop.
 //! * Colours are linear until [`Film::to_srgb_bytes`].
 
+mod adaptive;
 mod assemble;
 mod buckets;
 mod camera;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod dialect;
 mod film;
 mod inventory;
 mod light_samples;
+mod lost_rays;
 mod modules;
+mod passes;
 mod raster;
 mod renderer;
 mod sampler;
@@ -33,9 +38,10 @@ pub use film::{Film, RayCounts};
 pub use inventory::Inventory;
 pub(crate) use light_samples::LightPlan;
 pub use light_samples::LightSamples;
+pub use lost_rays::LostRays;
 pub use modules::{Modules, Shaders};
 pub use raster::Raster;
 pub use renderer::{FinishedBucket, render};
 pub use sampler::{Purpose, Sample, Sampler, centred, random, sobol};
 pub use scene::Scene;
-pub use settings::{Buckets, Crop, Settings};
+pub use settings::{Allotment, Buckets, Crop, Settings};

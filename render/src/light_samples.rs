@@ -60,6 +60,11 @@ impl<'a> LightPlan<'a> {
         Self { lights: &scene.lights, draws: (!all).then(draws) }
     }
 
+    /// How many there are.
+    pub(crate) fn asked(&self) -> usize {
+        self.draws.as_ref().map_or(self.lights.len(), Vec::len)
+    }
+
     /// The light to ask at a point in the given turn; `None` after the last.
     pub(crate) fn light(&self, number: u32, path: u32, sampler: Sampler, sample: Sample) -> Option<PointLight> {
         let Some(draws) = &self.draws else { return self.lights.get(number as usize).copied() };
@@ -70,8 +75,8 @@ impl<'a> LightPlan<'a> {
         } else {
             let place = sampler(Sample {
                 zones: 1,
-                count: sample.count * draw.turns,
-                index: sample.index * draw.turns + draw.turn,
+                count: sample.count.saturating_mul(draw.turns),
+                index: sample.index.wrapping_mul(draw.turns).wrapping_add(draw.turn),
                 purpose: Purpose::Light { cluster: draw.cluster, path },
                 ..sample
             });
@@ -79,5 +84,25 @@ impl<'a> LightPlan<'a> {
         };
         let light = *lights.get(chosen)?;
         Some(PointLight { color: light.color * (lights.len() as f32 / draw.turns as f32), ..light })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_s_rays_together_ask_about_as_often_as_a_cluster_has_lights() {
+        let asked = |rays| LightSamples::Shared.of_cluster(27, rays);
+        assert_eq!([1, 2, 4, 16, 27, 1000].map(asked), [27, 14, 7, 2, 1, 1]);
+        // A light without cluster is always asked.
+        assert_eq!(LightSamples::Shared.of_cluster(1, 16), 1);
+    }
+
+    #[test]
+    fn no_more_lights_are_asked_than_there_are() {
+        let each = |count: u32| LightSamples::Each(NonZeroU32::MIN.saturating_add(count - 1));
+        assert_eq!([1, 5, 27, 100].map(|count| each(count).of_cluster(27, 4)), [1, 5, 27, 27]);
+        assert_eq!(LightSamples::All.of_cluster(27, 4), 27);
     }
 }

@@ -8,7 +8,7 @@ use shading::{
     sunflow,
 };
 
-use crate::{Dialect, Sampler, Tile, bucket_order, centred, random};
+use crate::{Dialect, Sampler, Tile, bucket_order, centred, sobol};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -92,12 +92,12 @@ impl Default for Modules {
             limits: Limits::default(),
             kernels: Kernels::default(),
             ray_origin: Surface::origin_towards,
-            accelerator: accel::octree,
+            accelerator: accel::wide,
             shaders: Shaders::default(),
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
-            sampler: random,
+            sampler: sobol,
             bucket_order,
             dialect: Dialect::default(),
         }

@@ -43,6 +43,17 @@ mod tests {
         assert_eq!([film(0.0, 0.0), film(4.0, 2.0)], [DVec2::Y, DVec2::X]);
     }
 
+    /// A number for every place, and NaN for what is none: the camera makes a ray of it that meets nothing.
+    #[test]
+    fn every_picture_size_has_its_places() {
+        for size in [[1, 1], [1, u32::MAX], [u32::MAX, u32::MAX]] {
+            for raster in [Raster::BetweenEdges, Raster::Sunflow] {
+                assert!(raster.film(DVec2::splat(0.5), size).is_finite());
+                assert!(raster.film(DVec2::NAN, size).is_nan());
+            }
+        }
+    }
+
     #[test]
     fn sunflow_counts_pixel_centres_from_the_lower_left_over_one_pixel_less() {
         // The pixel at the upper left of 5 x 3 is x + 0.5 = 0.5 from the left and y + 0.5 = 2.5 from the bottom.

@@ -8,7 +8,7 @@ use scene_format::{
 use crate::LightSamples;
 
 /// How a scene is to be rendered. The scene's own settings come from [`Settings::of`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The picture's width and height in pixels, each at least 1.
     pub size: [u32; 2],
@@ -16,8 +16,15 @@ pub struct Settings {
     pub crop: Option<Crop>,
     /// A pixel is cut into 2^aa x 2^aa zones; at most 8.
     pub aa: u32,
+    /// Where pixels get more or fewer rays: the fewest are those of 2^least_aa x 2^least_aa zones.
+    pub least_aa: u32,
     /// Rays in each zone, 1 to 65535: so the rays of a pixel can be counted in 32 bits.
     pub samples: u32,
+    /// Which pixels get how many rays.
+    pub allotment: Allotment,
+    /// How far rays must be apart for a pixel to get more than the fewest, where rays are not shared out evenly: 0 to 1, which is
+    /// white against black.
+    pub contrast: f32,
     /// How many lights of a cluster are asked at a point.
     pub light_samples: LightSamples,
     /// Another seed is another picture of the same scene.
@@ -26,6 +33,16 @@ pub struct Settings {
     pub buckets: Buckets,
     /// How many threads; all that the machine has unless given. No influence on the picture.
     pub threads: Option<NonZeroUsize>,
+}
+
+/// How a picture's rays are shared out among its pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Allotment {
+    /// To all alike, as the report does.
+    #[default]
+    Even,
+    /// More to those where there is more to be seen: between `least_aa` and `aa`, by `contrast`.
+    Adaptive,
 }
 
 /// A part of a picture, in pixels from its top left corner.
@@ -39,6 +56,41 @@ pub struct Crop {
     pub width: u32,
     /// Rows.
     pub height: u32,
+}
+
+impl Crop {
+    /// Its pixels, row by row from the top.
+    pub(crate) fn pixels(self) -> impl Iterator<Item = [u32; 2]> {
+        let rows = self.y..self.y + self.height;
+        rows.flat_map(move |y| (self.x..self.x + self.width).map(move |x| [x, y]))
+    }
+
+    /// Whether a pixel belongs to it.
+    pub(crate) fn contains(self, [x, y]: [u32; 2]) -> bool {
+        let within = |at: u32, start: u32, length: u32| at >= start && at - start < length;
+        within(x, self.x, self.width) && within(y, self.y, self.height)
+    }
+
+    /// Where one of its pixels stands among them.
+    pub(crate) fn index(self, [x, y]: [u32; 2]) -> usize {
+        (y - self.y) as usize * self.width as usize + (x - self.x) as usize
+    }
+
+    /// With so many pixels more on each side, as far as the picture goes.
+    pub(crate) fn grown(self, by: u32, size: [u32; 2]) -> Self {
+        let (x, y) = (self.x.saturating_sub(by), self.y.saturating_sub(by));
+        let (right, bottom) = ((self.x + self.width + by).min(size[0]), (self.y + self.height + by).min(size[1]));
+        Self { x, y, width: right - x, height: bottom - y }
+    }
+
+    /// The part of a larger area that falls to it, a part of `whole`: where it ends at the whole's border, up to the larger one's.
+    pub(crate) fn reaching(self, whole: Self, larger: Self) -> Self {
+        let start = |own: u32, whole: u32, larger: u32| if own == whole { larger } else { own };
+        let (x, y) = (start(self.x, whole.x, larger.x), start(self.y, whole.y, larger.y));
+        let right = start(self.x + self.width, whole.x + whole.width, larger.x + larger.width);
+        let bottom = start(self.y + self.height, whole.y + whole.height, larger.y + larger.height);
+        Self { x, y, width: right - x, height: bottom - y }
+    }
 }
 
 /// The tiles that a picture is rendered in.
@@ -64,7 +116,10 @@ impl Default for Settings {
             size: [640, 480],
             crop: None,
             aa: 0,
+            least_aa: 0,
             samples: 1,
+            allotment: Allotment::default(),
+            contrast: 0.1,
             light_samples: LightSamples::default(),
             seed: 0,
             buckets: Buckets::default(),
@@ -76,8 +131,8 @@ impl Default for Settings {
 impl Settings {
     /// What a scene's own `image` and `bucket` statements ask for, includes among them; the last one holds.
     ///
-    /// Of the two `aa` numbers the larger counts; below zero it is taken as zero. Numbers are clamped as Sunflow clamps them:
-    /// `aa` to 5, `samples` to 1..256, buckets to 16..512.
+    /// Of the two `aa` numbers the larger counts, the smaller only where rays are not shared out evenly; below zero it is taken as zero. Numbers are clamped as Sunflow clamps them:
+    /// `aa` to 5, `samples` to 1..256, `contrast` to 0..1, buckets to 16..512.
     pub fn of(scene: &SceneFile) -> Self {
         let mut settings = Self::default();
         settings.read(scene);
@@ -106,7 +161,11 @@ impl Settings {
             self.size = size.value;
         }
         if let Some([min, max]) = image.aa.map(|aa| aa.value) {
-            self.aa = min.max(max).clamp(0, 5).unsigned_abs();
+            let clamped = |aa: i32| aa.clamp(0, 5).unsigned_abs();
+            (self.least_aa, self.aa) = (clamped(min.min(max)), clamped(min.max(max)));
+        }
+        if let Some(contrast) = image.contrast {
+            self.contrast = contrast.clamp(0.0, 1.0);
         }
         if let Some(samples) = image.samples {
             self.samples = samples.clamp(1, 256);
@@ -118,7 +177,12 @@ impl Settings {
         self.crop.unwrap_or(Crop { x: 0, y: 0, width: self.size[0], height: self.size[1] })
     }
 
-    /// Camera rays for each pixel.
+    /// The fewest camera rays that a pixel gets where rays are not shared out evenly. Two, at the least: one would show no difference.
+    pub fn least_rays(&self) -> u32 {
+        ((1 << (2 * self.least_aa.min(self.aa))) * self.samples).max(2)
+    }
+
+    /// Camera rays for each pixel; where they are not shared out evenly, the most.
     pub fn rays_per_pixel(&self) -> u32 {
         (1 << (2 * self.aa)) * self.samples
     }

@@ -1,10 +1,10 @@
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use geometry::Ray;
 use glam::DVec2;
 use shading::{Bounces, Color, PointLight, ShadingPoint, World};
 
-use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings};
+use crate::{LightPlan, LostRays, Purpose, RayCounts, Sample, Scene, Settings};
 
 /// Follows rays through a scene and counts them. Each bucket has its own, so that counting costs threads nothing.
 pub(crate) struct Tracer<'a> {
@@ -12,12 +12,13 @@ pub(crate) struct Tracer<'a> {
     settings: &'a Settings,
     lights: LightPlan<'a>,
     rays: Cell<RayCounts>,
+    lost: RefCell<LostRays>,
 }
 
 impl<'a> Tracer<'a> {
     pub(crate) fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
         let lights = LightPlan::new(scene, settings.light_samples, settings.rays_per_pixel());
-        Self { scene, settings, lights, rays: Cell::default() }
+        Self { scene, settings, lights, rays: Cell::default(), lost: RefCell::default() }
     }
 
     /// The rays traced so far.
@@ -25,7 +26,12 @@ impl<'a> Tracer<'a> {
         self.rays.get()
     }
 
-    /// The light that comes into the camera along one of a pixel's rays.
+    /// The camera rays lost so far, and forgets them.
+    pub(crate) fn lost(&self) -> LostRays {
+        self.lost.take()
+    }
+
+    /// The light that comes into the camera along one of a pixel's rays; black where that is lost.
     pub(crate) fn camera_ray(&self, sample: Sample) -> Color {
         self.count(|rays| rays.camera += 1);
         let random = |purpose| (self.scene.sampler)(Sample { purpose, ..sample });
@@ -35,7 +41,8 @@ impl<'a> Tracer<'a> {
         let place = self.scene.raster.film(corner + in_pixel, self.settings.size);
         let ray = self.scene.camera.ray(place, &|| random(Purpose::Lens));
         let tree = RayTree { tracer: self, sample };
-        tree.follow(&ray, self.scene.bounces, self.scene.background)
+        let color = tree.follow(&ray, self.scene.bounces, self.scene.background);
+        self.lost.borrow_mut().checked(color, sample.pixel)
     }
 
     fn count(&self, add: impl FnOnce(&mut RayCounts)) {

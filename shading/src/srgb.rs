@@ -2,26 +2,35 @@
 
 use std::sync::LazyLock;
 
-/// An encoded value as a linear one; both 0 to 1, clamped.
+/// An encoded value as a linear one; both 0 to 1, clamped, and 0 for NaN. Right to 0.51 ulp.
 pub fn decode(encoded: f32) -> f32 {
-    let e = f64::from(encoded.clamp(0.0, 1.0));
-    let linear = if e <= 0.04045 { e / 12.92 } else { libm::pow((e + 0.055) / 1.055, 2.4) };
-    linear as f32
+    if encoded.is_nan() { 0.0 } else { curve(f64::from(encoded.clamp(0.0, 1.0))) as f32 }
 }
 
-/// A byte as a linear value.
+/// A byte as a linear value: right to 0.51 ulp.
 pub fn decode_byte(encoded: u8) -> f32 {
-    static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| std::array::from_fn(|byte| decode(byte as f32 / 255.0)));
+    static LINEAR: LazyLock<[f32; 256]> =
+        LazyLock::new(|| std::array::from_fn(|byte| curve(byte as f64 / 255.0) as f32));
     LINEAR[usize::from(encoded)]
 }
 
-/// A linear value as the nearest byte; below 0 and NaN are 0, above 1 is 255.
+/// A linear value as the nearest byte, of every value there is; below 0 and NaN are 0, above 1 is 255.
 ///
 /// Nearest on the encoded scale: the byte is the number of steps, at the linear values of 0.5 / 255, 1.5 / 255 ..., that lie at or below.
 pub fn encode_byte(linear: f32) -> u8 {
     static STEPS: LazyLock<[f32; 255]> =
-        LazyLock::new(|| std::array::from_fn(|step| decode((step as f32 + 0.5) / 255.0)));
+        LazyLock::new(|| std::array::from_fn(|step| first_above(curve((step as f64 + 0.5) / 255.0))));
     STEPS.partition_point(|&step| step <= linear) as u8
+}
+
+fn curve(encoded: f64) -> f64 {
+    if encoded <= 0.04045 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
+}
+
+/// The least `f32` that is not below a number.
+fn first_above(number: f64) -> f32 {
+    let nearest = number as f32;
+    if f64::from(nearest) < number { nearest.next_up() } else { nearest }
 }
 
 #[cfg(test)]

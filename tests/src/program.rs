@@ -65,7 +65,12 @@ impl Folder {
 
     /// The program with arguments, to be started in the folder.
     pub fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(Path::new(self.program));
+        self.command_of(Path::new(self.program), arguments)
+    }
+
+    /// Another program with arguments, to be started in the folder.
+    pub fn command_of(&self, program: &Path, arguments: &[&str]) -> Command {
+        let mut command = Command::new(program);
         command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1").env_remove("RUST_BACKTRACE");
         command
     }

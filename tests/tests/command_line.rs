@@ -93,6 +93,41 @@ fn inspect_shows_what_a_scene_needs_and_what_it_does_not() {
 }
 
 #[test]
+fn inspect_says_how_rays_and_lights_are_sampled() {
+    let rays = |arguments: &[&str]| {
+        let stdout = succeed(&folder(), &[&["inspect"], arguments].concat()).stdout;
+        stdout.lines().find(|line| line.starts_with("  rays")).unwrap()[17..].to_owned()
+    };
+    assert_eq!(
+        rays(&["tiny.sc", "--aa", "1,2", "--adaptive=0.2"]),
+        "up to 3,200 from the camera: 4 to 16 a pixel, more where its neighbours differ by 0.2"
+    );
+    // Its two lights become 27 each; of each a pixel's four rays ask 7.
+    let soft = ["shadows-soft", "--size", "10x10", "--aa", "1"];
+    let four = "400 from the camera: 4 a pixel (2 x 2 zones, 1 in each); up to";
+    assert_eq!(rays(&soft), format!("{four} 14 to lights from each point seen"));
+    for (light_samples, asked) in [("all", 54), ("1", 2), ("5", 10), ("shared", 14)] {
+        let found = rays(&[&soft[..], &["--light-samples", light_samples]].concat());
+        assert_eq!(found, format!("{four} {asked} to lights from each point seen"));
+    }
+}
+
+#[test]
+fn samplers_and_adaptive_rays_change_the_picture() {
+    let folder = folder();
+    let picture = |options: &[&str]| {
+        succeed(&folder, &[&["render", "tiny.sc", "-o", "a.png", "--quiet", "--aa", "2"], options].concat());
+        folder.read("a.png")
+    };
+    let usual = picture(&[]);
+    assert_eq!(usual, picture(&["--sampler", "sobol"]));
+    assert_ne!(usual, picture(&["--sampler", "random"]));
+    assert_ne!(usual, picture(&["--adaptive"]));
+    assert_eq!(picture(&["--adaptive"]), picture(&["--adaptive=0.1"]));
+    assert_ne!(picture(&["--adaptive"]), picture(&["--adaptive=0.9"]));
+}
+
+#[test]
 fn completions_for_bash_name_every_command() {
     let script = succeed(&folder(), &["completions", "bash"]).stdout;
     for word in ["_girasol()", "render", "check", "inspect", "scenes", "bench", "completions", "--soft-shadows"] {
@@ -250,4 +285,54 @@ fn a_long_rendering_tells_its_share_and_the_time_left_in_plain_lines() {
             if share.parse::<u32>().is_ok() && left.parse::<f64>().is_ok()),
         "{stderr}"
     );
+}
+
+#[test]
+fn ambient_light_where_sunflow_has_none_is_an_error_that_says_so() {
+    let ended = folder().run(&["render", "tiny.sc", "--lighting", "sunflow", "--ambient", "0.2"]);
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.stderr.contains("`--ambient` has no meaning with `--lighting sunflow`"), "{}", ended.stderr);
+    assert!(ended.stderr.contains("leave one of the two out"), "{}", ended.stderr);
+    succeed(&folder(), &["render", "tiny.sc", "--lighting", "sunflow", "-q"]);
+    succeed(&folder(), &["render", "tiny.sc", "--ambient", "0.2", "-q"]);
+}
+
+#[test]
+fn accuracy_writes_a_page_and_the_same_numbers_for_programs() {
+    let folder = folder();
+    let ended = succeed(&folder, &["accuracy", "--quick", "-o", "page.html"]);
+    assert!(ended.stderr.contains("page.html"), "{}", ended.stderr);
+    let page = String::from_utf8(folder.read("page.html")).unwrap();
+    assert!(
+        page.starts_with("<!DOCTYPE html>") && page.contains("data:image/png;base64,") && !page.contains("<script")
+    );
+    let numbers = String::from_utf8(folder.read("page.json")).unwrap();
+    assert!(numbers.starts_with('{') && numbers.contains("\"p99.9\"") && numbers.ends_with("}\n"));
+}
+
+#[test]
+fn accuracy_turns_down_one_name_for_both_files_before_it_measures() {
+    let folder = folder();
+    let ended = folder.run(&["accuracy", "-o", "both.json"]);
+    assert_eq!(ended.code, Some(1), "{}", ended.stderr);
+    assert!(ended.stderr.contains("choose two names"), "{}", ended.stderr);
+    assert!(!folder.names().contains("both.json"));
+}
+
+#[test]
+fn naive_kernels_change_the_picture_of_a_hard_scene_one_by_one() {
+    let folder = folder();
+    let rendered = |name: &str, more: &[&str]| {
+        let size = ["render", "scales", "--size", "80x24", "--aa", "0", "-q", "-o", name];
+        succeed(&folder, &[&size, more].concat());
+        folder.read(name)
+    };
+    let robust = rendered("robust.bmp", &[]);
+    for kernel in ["sphere", "triangle", "box", "offset", "sphere,offset", "all"] {
+        assert_ne!(rendered("naive.bmp", &["--naive", kernel]), robust, "{kernel}");
+    }
+    // There is neither in the scene.
+    for kernel in ["plane", "ellipsoid"] {
+        assert_eq!(rendered("naive.bmp", &["--naive", kernel]), robust, "{kernel}");
+    }
 }

@@ -3,21 +3,29 @@
 use std::num::NonZeroUsize;
 
 use cli::scenes::{self, EmbeddedFiles};
-use render::{Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, render};
+use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, render};
 use scene_format::scene_file::BucketOrder;
+use shading::SoftShadows;
 use tests::Rendering;
 
-/// A textured one with meshes, one of glass and mirrors, one with depth of field.
-const SCENES: [&str; 3] = ["textures", "glass-mirror", "depth-of-field"];
+/// A textured one with meshes, one of glass and mirrors, one with depth of field, one with soft shadows.
+const SCENES: [&str; 4] = ["textures", "glass-mirror", "depth-of-field", "shadows-soft"];
 
 fn assembled(name: &str, modules: Modules) -> Assembled {
-    let text = scenes::find(name).expect("the scene is embedded").source().into_owned();
-    Rendering { text, files: EmbeddedFiles, modules, lighting: Lighting::default() }.assemble()
+    let scene = scenes::find(name).expect("the scene is embedded");
+    let soft_shadows = scene.soft_shadows.then(SoftShadows::default);
+    let lighting = Lighting { soft_shadows, ..Lighting::default() };
+    Rendering { text: scene.source().into_owned(), files: EmbeddedFiles, modules, lighting }.assemble()
 }
 
 /// A small picture with two rays in each of 2 x 2 zones.
 fn small(settings: &Settings) -> Settings {
     Settings { size: [40, 30], aa: 1, samples: 2, ..settings.clone() }
+}
+
+/// The same, and one with two to eight rays a pixel.
+fn both(settings: &Settings) -> [Settings; 2] {
+    [small(settings), Settings { allotment: Allotment::Adaptive, least_aa: 0, samples: 1, aa: 2, ..small(settings) }]
 }
 
 fn film(assembled: &Assembled, settings: &Settings) -> Film {
@@ -45,10 +53,12 @@ fn assert_same(name: &str, what: &str, one: &Film, other: &Film) {
 fn any_number_of_threads_gives_the_same_bits() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        let with = |threads| Settings { threads: NonZeroUsize::new(threads), ..small(&assembled.settings) };
-        let one = film(&assembled, &with(1));
-        for threads in [2, 5] {
-            assert_same(name, &format!("{threads} threads"), &one, &film(&assembled, &with(threads)));
+        for settings in both(&assembled.settings) {
+            let with = |threads| Settings { threads: NonZeroUsize::new(threads), ..settings.clone() };
+            let one = film(&assembled, &with(1));
+            for threads in [2, 5] {
+                assert_same(name, &format!("{threads} threads"), &one, &film(&assembled, &with(threads)));
+            }
         }
     }
 }
@@ -57,11 +67,13 @@ fn any_number_of_threads_gives_the_same_bits() {
 fn any_bucket_size_gives_the_same_bits() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        let usual = film(&assembled, &small(&assembled.settings));
-        for size in [1, 7, 16, 64, 1000] {
-            let buckets = Buckets { size, ..assembled.settings.buckets };
-            let other = film(&assembled, &Settings { buckets, ..small(&assembled.settings) });
-            assert_same(name, &format!("buckets of {size}"), &usual, &other);
+        for settings in both(&assembled.settings) {
+            let usual = film(&assembled, &settings);
+            for size in [1, 7, 16, 64, 1000] {
+                let buckets = Buckets { size, ..settings.buckets };
+                let other = film(&assembled, &Settings { buckets, ..settings.clone() });
+                assert_same(name, &format!("buckets of {size}"), &usual, &other);
+            }
         }
     }
 }
@@ -100,14 +112,17 @@ fn every_embedded_scene_has_the_same_bits_without_the_octree() {
 fn a_crop_has_the_bits_of_the_same_part_of_the_whole() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        let whole = film(&assembled, &small(&assembled.settings));
-        for crop in [Crop { x: 0, y: 0, width: 1, height: 1 }, Crop { x: 11, y: 7, width: 17, height: 13 }] {
-            let part = film(&assembled, &Settings { crop: Some(crop), ..small(&assembled.settings) });
-            let rows = whole.pixels.chunks(whole.width as usize).skip(crop.y as usize).take(crop.height as usize);
-            let columns = crop.x as usize..(crop.x + crop.width) as usize;
-            let pixels = rows.flat_map(|row| &row[columns.clone()]).copied().collect();
-            let expected = Film { width: crop.width, height: crop.height, pixels, rays: part.rays };
-            assert_same(name, &format!("{crop:?}"), &part, &expected);
+        for settings in both(&assembled.settings) {
+            let whole = film(&assembled, &settings);
+            for crop in [Crop { x: 0, y: 0, width: 1, height: 1 }, Crop { x: 11, y: 7, width: 17, height: 13 }] {
+                let part = film(&assembled, &Settings { crop: Some(crop), ..settings.clone() });
+                let rows = whole.pixels.chunks(whole.width as usize).skip(crop.y as usize).take(crop.height as usize);
+                let columns = crop.x as usize..(crop.x + crop.width) as usize;
+                let pixels = rows.flat_map(|row| &row[columns.clone()]).copied().collect();
+                let expected =
+                    Film { width: crop.width, height: crop.height, pixels, rays: part.rays, lost: part.lost.clone() };
+                assert_same(name, &format!("{crop:?}"), &part, &expected);
+            }
         }
     }
 }

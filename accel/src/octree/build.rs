@@ -18,11 +18,11 @@ pub(super) fn build(primitives: Primitives) -> Octree {
     let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
     let root = Cell::around(bounds);
     let grower = Grower { primitives: &primitives, boxes, slack: 8.0 * f32::EPSILON * bounds.magnitude() };
-    let tree = grower.grow(root, (0..primitives.len()).collect(), 0, PATIENCE).tree;
+    let Grown { tree, cost } = grower.grow(root, (0..primitives.len()).collect(), 0, PATIENCE);
     let mut flat = Flat { nodes: vec![Node::Leaf { first: 0, count: 0 }], references: Vec::new(), depth: 0 };
     flat.lay_out(0, tree, 0);
     let Flat { nodes, references, depth } = flat;
-    Octree { primitives, bounds, root, nodes, references, depth }
+    Octree { primitives, bounds, root, nodes, references, depth, cost }
 }
 
 /// A cell with all below it.

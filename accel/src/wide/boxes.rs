@@ -19,7 +19,7 @@ use super::{
 /// With `u = 2^-24`, `R = |o| + B` on the axis, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: the difference and the
 /// product round three times, which moves a crossing by at most `3u R |i|` and a little. A hit is off its box by an eighth of
 /// `u R |i|` ([`geometry::TriangleProbe`]; other primitives: by much less), its `t` by another `u R |i|` when it is rounded to `f32`.
-/// In the watertight way a triangle counts as met up to `7u R |i|` beside it ([`super::triangles`]). That makes `12u`; the origin
+/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes `13u`; the origin
 /// itself is moved, forward for the near planes and back for the far ones, by `16u R`, rounded to no less than `15u R`. Nothing
 /// need be done for it in the test.
 ///
@@ -40,15 +40,15 @@ const SLACK: f32 = 8.0 * f32::EPSILON;
 impl<I: Isa> BoxLanes<I> {
     #[inline(always)]
     pub(super) fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
-        const NEGLIGIBLE: f32 = 1.0 / (1_u128 << 64) as f32;
+        const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let direction = ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
         let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
-        let forward = Vec3::from(direction).signum() * slack;
+        let forward = slack.copysign(direction.into());
         let inverse = direction.map(|d| 1.0 / d);
         Self {
-            near_origin: splat(isa, (ray.origin + forward).to_array()),
-            far_origin: splat(isa, (ray.origin - forward).to_array()),
+            near_origin: splat(isa, ((ray.origin + forward) * Vec3::from(inverse)).to_array()),
+            far_origin: splat(isa, ((ray.origin - forward) * Vec3::from(inverse)).to_array()),
             inverse: splat(isa, inverse),
             near: direction.map(|d| usize::from(d < 0.0)),
             min: I::F32::splat(isa, min),
@@ -66,12 +66,12 @@ impl<I: Isa> BoxLanes<I> {
     #[inline(always)]
     fn enter(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
         let near = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1]);
-        (near - self.near_origin[axis]) * self.inverse[axis]
+        near.times_less(self.inverse[axis], self.near_origin[axis])
     }
 
     #[inline(always)]
     fn leave(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
         let far = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1 ^ 1]);
-        (far - self.far_origin[axis]) * self.inverse[axis]
+        far.times_less(self.inverse[axis], self.far_origin[axis])
     }
 }

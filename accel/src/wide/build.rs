@@ -11,10 +11,7 @@ use super::{
     layout::{Block, Link, Linked, Mixed, Node},
     morton,
 };
-
-/// Primitives that reach further than this stand beside the tree, and are asked by every ray. Below, no product of three coordinates
-/// overflows, and the bounds argued for hold.
-const FARTHEST: f32 = (1_u64 << 40) as f32;
+use crate::ordinary::FARTHEST;
 
 struct Shapes<'a>(&'a Primitives);
 
@@ -24,14 +21,15 @@ impl Content for Shapes<'_> {
     }
 
     fn is_in_block(&self, primitive: u32) -> bool {
-        self.0.triangle(primitive).is_some()
+        // A kernel of someone else's may accept what the blocks' filter would leave out.
+        self.0.kernels().triangle.is_none() && self.0.triangle(primitive).is_some()
     }
 }
 
 pub(super) fn build(primitives: &Primitives) -> Tree {
     let fits = |&number: &u32| {
         let bounds = primitives.bounds(number);
-        // Written so that a NaN does not fit.
+        // What reaches further stands beside the tree. Written so that a NaN does not fit.
         bounds.min.min_element() > -FARTHEST && bounds.max.max_element() < FARTHEST
     };
     let (inside, beside): (Vec<u32>, Vec<u32>) = (0..primitives.len()).into_par_iter().partition(fits);
@@ -49,6 +47,9 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
         beside,
         magnitude: bounds.magnitude(),
         depth: 0,
+        leaves: 0,
+        largest_leaf: 0,
+        cost: 0.0,
     };
     if inside.is_empty() {
         return tree;
@@ -56,6 +57,7 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
     let row = morton::in_morton_order(&inside, |number| primitives.bounds(number), bounds);
     drop(inside);
     let root = grow(&row, 0, &Shapes(primitives));
+    tree.cost = root.cost_of_a_ray();
     let row: Vec<u32> = row.into_iter().map(|coded| coded.primitive).collect();
     let mut layout = Layout { primitives, row: &row, tree: &mut tree, block_numbers: Vec::new() };
     match layout.link(Slot { cell: &root, union: WHOLE }, 0) {
@@ -131,7 +133,9 @@ impl Layout<'_> {
             &self.row[first..first + slot.cell.count as usize]
         });
         let content = Shapes(self.primitives);
+        self.tree.leaves += 1;
         let (triangles, asked): (Vec<u32>, Vec<u32>) = numbers.partition(|&&number| content.is_in_block(number));
+        self.tree.largest_leaf = self.tree.largest_leaf.max(triangles.len() + asked.len());
         let first_block = self.block_numbers.len() as u32;
         for chunk in triangles.chunks(8) {
             self.block_numbers.push(std::array::from_fn(|lane| chunk.get(lane).copied().unwrap_or(u32::MAX)));

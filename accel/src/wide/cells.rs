@@ -3,7 +3,7 @@
 use geometry::Aabb;
 
 use super::{
-    collapse::{Cuts, SLOTS},
+    collapse::{Cuts, SLOTS, half_surface, leaf_cost},
     morton::{Coded, LEVELS},
 };
 
@@ -38,6 +38,14 @@ impl Divided {
     pub(super) fn eighth(&self, place: usize) -> Option<&Cell> {
         let below = self.occupied & ((1 << place) - 1);
         (self.occupied >> place & 1 == 1).then(|| &self.eighths[below.count_ones() as usize])
+    }
+}
+
+impl Cell {
+    /// What a ray that meets its box costs, in visits of a node.
+    pub(super) fn cost_of_a_ray(&self) -> f32 {
+        let surface = half_surface(self.bounds);
+        if surface > 0.0 { self.costs[0] / surface } else { 0.0 }
     }
 }
 
@@ -95,7 +103,7 @@ fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
         asked += u32::from(!content.is_in_block(coded.primitive));
     }
     let count = row.len() as u32;
-    let cost = super::collapse::leaf_cost(bounds, count, asked);
+    let cost = leaf_cost(bounds, count, asked);
     Cell { first, count, asked, bounds, costs: [cost; SLOTS], divided: None }
 }
 

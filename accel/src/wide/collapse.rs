@@ -44,7 +44,8 @@ pub(super) fn leaf_cost(bounds: Aabb, count: u32, asked: u32) -> f32 {
     half_surface(bounds) * (BLOCK * blocks as f32 + ASKED * asked as f32)
 }
 
-fn half_surface(bounds: Aabb) -> f32 {
+/// Half of what a box shows from all sides.
+pub(super) fn half_surface(bounds: Aabb) -> f32 {
     let edge = bounds.extent();
     edge.x * edge.y + edge.y * edge.z + edge.z * edge.x
 }

@@ -23,7 +23,7 @@ mod avx512;
 mod portable;
 mod stack;
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 #[cfg(target_arch = "x86_64")]
 pub(super) use avx2::Avx2;
@@ -50,19 +50,25 @@ pub(super) fn splat<I: Isa>(isa: I, [x, y, z]: [f32; 3]) -> [I::F32; 3] {
 /// Eight `f32`, one for each lane.
 ///
 /// Comparisons give a bit for each lane. What minimum and maximum of a NaN are is not said.
-pub(super) trait Lanes<I>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub(super) trait Lanes<I>:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
     /// The same number in all lanes.
     fn splat(isa: I, value: f32) -> Self;
     /// Lane by lane from memory.
     fn load(isa: I, from: &[f32; 8]) -> Self;
     /// Lane by lane to memory.
     fn store(self, to: &mut [f32; 8]);
+    /// `self * factor - less`, rounded once or twice as the processor likes: for what has slack for both.
+    fn times_less(self, factor: Self, less: Self) -> Self;
     /// The lesser, lane by lane.
     fn min(self, other: Self) -> Self;
     /// The greater, lane by lane.
     fn max(self, other: Self) -> Self;
     /// Without its sign.
     fn abs(self) -> Self;
+    /// A bit for each lane that is less than the other's; none for a NaN.
+    fn lt(self, other: Self) -> u32;
     /// A bit for each lane that is no greater than the other's; none for a NaN.
     fn le(self, other: Self) -> u32;
 }

@@ -1,10 +1,13 @@
 //! One ray through the tree.
 
+use std::marker::PhantomData;
+
 use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
     boxes::BoxLanes,
+    decide::Decide,
     layout::{Block, Link, Linked, Mixed},
     simd::{Isa, Lanes, Stack},
     triangles::TriangleLanes,
@@ -27,54 +30,64 @@ fn distance(pending: Pending) -> f32 {
 
 /// A ray's nearest hit.
 #[inline(always)]
-pub(super) fn closest<I: Isa>(
+pub(super) fn closest<I: Isa, D: Decide>(
     isa: I,
     tree: &Tree,
     primitives: &Primitives,
     ray: &Ray,
     within: Interval,
 ) -> Option<Hit> {
-    let mut walk = Walk::new(isa, tree, primitives, ray, within);
+    let probe = TriangleProbe::new(ray);
+    let mut walk = Walk::<I, D>::new(isa, tree, primitives, ray, &probe, within);
+    let mut stack = Stack::new();
     let mut link = tree.root;
     loop {
         if link.is_node() {
-            if let Some(nearest) = walk.node(link) {
+            if let Some(nearest) = walk.node(link, &mut stack) {
                 link = nearest;
                 continue;
             }
         } else {
             walk.leaf(link);
         }
-        match walk.pop() {
+        match walk.pop(&mut stack) {
             Some(next) => link = next,
-            None => return walk.nearest,
+            None => return D::finish(&walk),
         }
     }
 }
 
 /// A ray on its way to its nearest hit.
-struct Walk<'a, I: Isa> {
-    isa: I,
+pub(super) struct Walk<'a, I: Isa, D> {
+    pub(super) isa: I,
     tree: &'a Tree,
     primitives: &'a Primitives,
     ray: &'a Ray,
-    within: Interval,
-    probe: TriangleProbe,
+    pub(super) within: Interval,
+    pub(super) probe: &'a TriangleProbe,
     boxes: BoxLanes<I>,
-    triangles: TriangleLanes<I>,
-    nearest: Option<Hit>,
+    pub(super) triangles: TriangleLanes<I>,
+    pub(super) nearest: Option<Hit>,
+    /// Where it stands, if in a block: for who has still to look closer.
+    pub(super) place: Option<(&'a Block, usize)>,
     /// Where the nearest hit is, or the interval ends; in three forms.
     limit: f32,
-    box_limit: I::F32,
-    depth_limit: I::F32,
-    stack: Stack<Pending>,
+    pub(super) box_limit: I::F32,
+    pub(super) depth_limit: I::F32,
+    decide: PhantomData<D>,
 }
 
-impl<'a, I: Isa> Walk<'a, I> {
+impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
     #[inline(always)]
-    fn new(isa: I, tree: &'a Tree, primitives: &'a Primitives, ray: &'a Ray, within: Interval) -> Self {
-        let probe = TriangleProbe::new(ray);
-        let triangles = TriangleLanes::new(isa, ray, &probe, within.min, tree.magnitude);
+    fn new(
+        isa: I,
+        tree: &'a Tree,
+        primitives: &'a Primitives,
+        ray: &'a Ray,
+        probe: &'a TriangleProbe,
+        within: Interval,
+    ) -> Self {
+        let triangles = TriangleLanes::new(isa, ray, probe, within.min, tree.magnitude);
         let mut walk = Self {
             isa,
             tree,
@@ -83,12 +96,13 @@ impl<'a, I: Isa> Walk<'a, I> {
             within,
             boxes: BoxLanes::new(isa, ray, within.min, tree.magnitude),
             nearest: None,
+            place: None,
+            decide: PhantomData,
             limit: within.max,
             box_limit: I::F32::splat(isa, within.max),
             depth_limit: triangles.limit(isa, within.max),
             probe,
             triangles,
-            stack: Stack::new(),
         };
         if !tree.beside.is_empty() {
             walk.ask(&tree.beside);
@@ -98,7 +112,7 @@ impl<'a, I: Isa> Walk<'a, I> {
 
     /// Visits a node: the nearest of the links that the ray meets, if any; the others wait on the stack, the farthest lowest.
     #[inline(always)]
-    fn node(&mut self, link: Link) -> Option<Link> {
+    fn node(&mut self, link: Link, stack: &mut Stack<Pending>) -> Option<Link> {
         let node = &self.tree.nodes[link.bits() as usize];
         let (enters, mut met) = self.boxes.meet(self.isa, node, self.box_limit);
         if met == 0 {
@@ -113,15 +127,15 @@ impl<'a, I: Isa> Walk<'a, I> {
         enters.store(&mut distances);
         let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
         let mut best = entry(first);
-        let start = self.stack.len();
+        let start = stack.len();
         while met != 0 {
             let next = entry(met.trailing_zeros() as usize);
             met &= met - 1;
             let (near, far) = if next < best { (next, best) } else { (best, next) };
             best = near;
-            self.stack.push(far);
-            if self.stack.len() > start + 1 {
-                sink(self.stack.since(start));
+            stack.push(far);
+            if stack.len() > start + 1 {
+                sink(stack.since(start));
             }
         }
         Some(Link::from_bits(best as u32))
@@ -129,9 +143,9 @@ impl<'a, I: Isa> Walk<'a, I> {
 
     /// Takes from the stack what the ray enters before its nearest hit.
     #[inline(always)]
-    fn pop(&mut self) -> Option<Link> {
+    fn pop(&mut self, stack: &mut Stack<Pending>) -> Option<Link> {
         loop {
-            let next = self.stack.pop()?;
+            let next = stack.pop()?;
             // A hit at just this distance may still have a lower number.
             if distance(next) <= self.limit {
                 return Some(Link::from_bits(next as u32));
@@ -141,42 +155,23 @@ impl<'a, I: Isa> Walk<'a, I> {
 
     #[inline(always)]
     fn leaf(&mut self, link: Link) {
-        let tree = self.tree;
-        match link.linked() {
-            Linked::Node(_) => {}
-            Linked::Blocks { first, count } => {
-                for block in &tree.blocks[first as usize..(first + count) as usize] {
-                    self.block(block);
-                }
-            }
-            Linked::Mixed(index) => {
-                let (blocks, asked) = tree.mixed(index);
-                for block in blocks {
-                    self.block(block);
-                }
-                self.ask(asked);
-            }
+        let (blocks, asked) = self.tree.leaf(link);
+        for block in blocks {
+            D::block(self, block);
+        }
+        if !asked.is_empty() {
+            self.ask(asked);
         }
     }
 
+    /// A hit, if it comes before the nearest so far.
     #[inline(always)]
-    fn block(&mut self, block: &Block) {
-        let mut candidates = self.triangles.candidates(self.isa, block, self.depth_limit);
-        while candidates != 0 {
-            let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
-            if let Some(met) = self.probe.intersect(self.triangles.corners(block, lane), self.within) {
-                let hit = met.on(block.primitives[lane & 7]);
-                if self.nearest.is_none_or(|nearest| hit.is_before(nearest)) {
-                    self.found(hit);
-                }
-            }
+    pub(super) fn found(&mut self, hit: Hit, place: Option<(&'a Block, usize)>) {
+        if self.nearest.is_some_and(|nearest| !hit.is_before(nearest)) {
+            return;
         }
-    }
-
-    #[inline(always)]
-    fn found(&mut self, hit: Hit) {
         self.nearest = Some(hit);
+        self.place = place;
         self.limit = hit.t;
         self.box_limit = I::F32::splat(self.isa, hit.t);
         self.depth_limit = self.triangles.limit(self.isa, hit.t);
@@ -185,10 +180,22 @@ impl<'a, I: Isa> Walk<'a, I> {
     /// Asks primitives one by one.
     #[inline(always)]
     fn ask(&mut self, numbers: &[u32]) {
-        if let Some(hit) = closest_of(self.primitives, numbers.iter().copied(), self.ray, self.within, self.nearest) {
-            self.found(hit);
+        if let Some(hit) = nearest_of(self.primitives, numbers, self.ray, self.within, self.nearest) {
+            self.found(hit, None);
         }
     }
+}
+
+/// A call of its own, so that what is asked one by one does not take the registers of the rest.
+#[inline(never)]
+fn nearest_of(
+    primitives: &Primitives,
+    numbers: &[u32],
+    ray: &Ray,
+    within: Interval,
+    nearest: Option<Hit>,
+) -> Option<Hit> {
+    closest_of(primitives, numbers.iter().copied(), ray, within, nearest)
 }
 
 /// Moves the last entry down to its place: the nearest last.
@@ -203,22 +210,30 @@ fn sink(entries: &mut [Pending]) {
 
 /// Whether a ray meets anything.
 #[inline(always)]
-pub(super) fn any<I: Isa>(isa: I, tree: &Tree, primitives: &Primitives, ray: &Ray, within: Interval) -> bool {
-    let search = Search { isa, tree, primitives, ray, within, probe: TriangleProbe::new(ray) };
+pub(super) fn any<I: Isa, D: Decide>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: Interval,
+) -> bool {
+    let search =
+        Search::<I, D> { decide: PhantomData, isa, tree, primitives, ray, within, probe: TriangleProbe::new(ray) };
     search.run()
 }
 
 /// A ray that looks for anything in its way.
-struct Search<'a, I: Isa> {
-    isa: I,
+pub(super) struct Search<'a, I: Isa, D> {
+    pub(super) isa: I,
     tree: &'a Tree,
     primitives: &'a Primitives,
     ray: &'a Ray,
-    within: Interval,
-    probe: TriangleProbe,
+    pub(super) within: Interval,
+    pub(super) probe: TriangleProbe,
+    decide: PhantomData<D>,
 }
 
-impl<I: Isa> Search<'_, I> {
+impl<I: Isa, D: Decide> Search<'_, I, D> {
     #[inline(always)]
     fn run(&self) -> bool {
         if !self.tree.beside.is_empty() && self.ask(&self.tree.beside) {
@@ -244,25 +259,15 @@ impl<I: Isa> Search<'_, I> {
                     met &= met - 1;
                 }
             }
-            match link.linked() {
-                Linked::Node(_) => {}
-                Linked::Blocks { first, count } => {
-                    for block in &self.tree.blocks[first as usize..(first + count) as usize] {
-                        if self.block(&triangles, block, depth_limit) {
-                            return true;
-                        }
-                    }
-                }
-                Linked::Mixed(index) => {
-                    let (blocks, asked) = self.tree.mixed(index);
-                    for block in blocks {
-                        if self.block(&triangles, block, depth_limit) {
-                            return true;
-                        }
-                    }
-                    if self.ask(asked) {
+            if !link.is_node() {
+                let (blocks, asked) = self.tree.leaf(link);
+                for block in blocks {
+                    if D::is_met(self, &triangles, block, box_limit, depth_limit) {
                         return true;
                     }
+                }
+                if !asked.is_empty() && self.ask(asked) {
+                    return true;
                 }
             }
             match stack.pop() {
@@ -272,29 +277,24 @@ impl<I: Isa> Search<'_, I> {
         }
     }
 
-    #[inline(always)]
-    fn block(&self, triangles: &TriangleLanes<I>, block: &Block, depth_limit: I::F32) -> bool {
-        let mut candidates = triangles.candidates(self.isa, block, depth_limit);
-        while candidates != 0 {
-            let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
-            if self.probe.intersect(triangles.corners(block, lane), self.within).is_some() {
-                return true;
-            }
-        }
-        false
-    }
-
+    #[inline(never)]
     fn ask(&self, numbers: &[u32]) -> bool {
         numbers.iter().any(|&number| self.primitives.intersect(number, self.ray, self.within).is_some())
     }
 }
 
 impl Tree {
-    /// The blocks of a mixed leaf, and what is asked one by one.
-    fn mixed(&self, index: u32) -> (&[Block], &[u32]) {
-        let Mixed { first_block, blocks, first_asked, asked } = self.mixed[index as usize];
-        let range = |first: u32, count: u32| first as usize..(first + count) as usize;
-        (&self.blocks[range(first_block, blocks)], &self.asked[range(first_asked, asked)])
+    /// The blocks of a leaf, and what is asked one by one.
+    #[inline(always)]
+    fn leaf(&self, link: Link) -> (&[Block], &[u32]) {
+        match link.linked() {
+            Linked::Node(_) => (&[], &[]),
+            Linked::Blocks { first, count } => (&self.blocks[first as usize..(first + count) as usize], &[]),
+            Linked::Mixed(index) => {
+                let Mixed { first_block, blocks, first_asked, asked } = self.mixed[index as usize];
+                let range = |first: u32, count: u32| first as usize..(first + count) as usize;
+                (&self.blocks[range(first_block, blocks)], &self.asked[range(first_asked, asked)])
+            }
+        }
     }
 }

@@ -22,17 +22,17 @@ use super::{
 /// # The filter loses no hit
 ///
 /// Let `u = 2^-24`, `B` the greatest coordinate of the tree, `R = max|o| + B`: no component of `v - o` is greater. Rounded
-/// differences are off by `u R`; `Sx`, at most 1, by `u`; the product by another `u R`, and the last difference, at most `2R`, by `2u R`:
+/// differences are off by `u R`; `Sx`, at most 1, by `2u`; the product by another `u R`, and the last difference, at most `2R`, by `2u R`:
 ///
 /// ```text
-///   |x' - exact| <= u R + (1 + 1 + 1) u R + 2u R = 6u R,   and with terms in u^2:  e = 7u R
+///   |x' - exact| <= u R + (1 + 2 + 1) u R + 2u R = 7u R,   and with terms in u^2:  e = 8u R
 /// ```
 ///
 /// Let `m` be the largest of the six `|x'|, |y'|`. Then `U` from exact products of the computed `x', y'` is off by `4 e m + 2 e^2`, the
 /// products and their difference round off at most `4u m^2 <= 8u R m`, and so
 ///
 /// ```text
-///   |U - exact| <= (28 + 8) u R m + 98 u^2 R^2  <  k m + q,     k = 40 u R,   q = 160 u^2 R^2 + 2^-120
+///   |U - exact| <= (32 + 8) u R m + 128 u^2 R^2  <  k m + q,     k = 44 u R,   q = 160 u^2 R^2 + 2^-120
 /// ```
 ///
 /// (the `2^-120` is for what underflows). What the probe accepts has exact U, V, W of one sign but for a share of 2^-52, far
@@ -66,9 +66,9 @@ impl<I: Isa> TriangleLanes<I> {
         Self {
             axes: probe.axes(),
             origin: splat(isa, origin.to_array()),
-            shear: [I::F32::splat(isa, direction.x / direction.z), I::F32::splat(isa, direction.y / direction.z)],
+            shear: [I::F32::splat(isa, direction.x * per_depth), I::F32::splat(isa, direction.y * per_depth)],
             per_depth: I::F32::splat(isa, per_depth),
-            bound: [I::F32::splat(isa, 40.0 * reach), I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW)],
+            bound: [I::F32::splat(isa, 44.0 * reach), I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW)],
             min: I::F32::splat(isa, min - depth_slack),
             depth_slack,
         }
@@ -98,6 +98,23 @@ impl<I: Isa> TriangleLanes<I> {
         let starts = a_depth.min(b_depth).min(c_depth);
         let ends = a_depth.max(b_depth).max(c_depth);
         inside & starts.le(limit) & self.min.le(ends)
+    }
+
+    /// A bit for each triangle that `f32` decides the ray meets, and where.
+    #[inline(always)]
+    pub(super) fn met(&self, isa: I, block: &Block, min: I::F32, limit: I::F32) -> (u32, I::F32) {
+        let [ax, ay, a_depth] = self.projected(isa, &block.corners[0]);
+        let [bx, by, b_depth] = self.projected(isa, &block.corners[1]);
+        let [cx, cy, c_depth] = self.projected(isa, &block.corners[2]);
+        let u = cx * by - cy * bx;
+        let v = ax * cy - ay * cx;
+        let w = bx * ay - by * ax;
+        let zero = I::F32::splat(isa, 0.0);
+        let inside = zero.le(u.min(v).min(w)) | u.max(v).max(w).le(zero);
+        let sum = u + v + w;
+        let t = (u * a_depth + v * b_depth + w * c_depth) / sum;
+        // A NaN, of a sum of 0, is below nothing.
+        (inside & min.lt(t) & t.le(limit), t)
     }
 
     /// The sheared `x'` and `y'` of a corner of each triangle, and its depth in multiples of the direction.

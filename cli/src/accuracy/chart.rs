@@ -44,8 +44,6 @@ pub(crate) struct Series {
 pub(crate) enum Line {
     /// Not at all.
     None,
-    /// By a thin, pale line.
-    Thin,
     /// By a line.
     Full,
 }
@@ -54,33 +52,52 @@ pub(crate) enum Line {
 const TEXT: RGBColor = RGBColor(1, 2, 3);
 const TEXT_WRITTEN: &str = "#010203";
 
-const WIDTH: u32 = 480;
-const HEIGHT: u32 = 330;
+/// How large a diagram is drawn, in the page's pixels, and whether there is room for the axes' names.
+struct Frame {
+    size: (u32, u32),
+    title: u32,
+    text: u32,
+    left: u32,
+    below: u32,
+    names: bool,
+}
+
+const LARGE: Frame = Frame { size: (480, 330), title: 16, text: 12, left: 62, below: 44, names: true };
+const SMALL: Frame = Frame { size: (240, 180), title: 13, text: 11, left: 40, below: 22, names: false };
 
 impl Chart {
     /// The SVG element, without an XML declaration. It takes its text's colour and font from the page.
     pub(crate) fn svg(&self) -> Result<String, Failure> {
+        self.framed(&LARGE)
+    }
+
+    /// The same, small, for a [`super::figure::Part::Grid`]: the names of the axes are left out.
+    pub(crate) fn small_svg(&self) -> Result<String, Failure> {
+        self.framed(&SMALL)
+    }
+
+    fn framed(&self, frame: &Frame) -> Result<String, Failure> {
         let mut svg = String::new();
-        self.draw(&mut svg).map_err(|error| Failure::of("a diagram could not be drawn", error))?;
+        self.draw(&mut svg, frame).map_err(|error| Failure::of("a diagram could not be drawn", error))?;
         let start = svg.find("<svg").unwrap_or(0);
         Ok(svg[start..].replace(TEXT_WRITTEN, "currentColor").replace("font-family=\"sans-serif\"", ""))
     }
 
-    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
+    fn draw(&self, svg: &mut String, frame: &Frame) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let root = SVGBackend::with_string(svg, frame.size).into_drawing_area();
         let mut chart = ChartBuilder::on(&root)
             .margin(8)
             .margin_right(16)
-            .caption(&self.title, ("sans-serif", 16).into_font().style(FontStyle::Bold).color(&TEXT))
-            .x_label_area_size(44)
-            .y_label_area_size(62)
+            .caption(&self.title, ("sans-serif", frame.title).into_font().style(FontStyle::Bold).color(&TEXT))
+            .x_label_area_size(frame.below)
+            .y_label_area_size(frame.left)
             .build_cartesian_2d(Decades::new(self.x, None), Decades::new(self.y, self.y_floor))?;
-        chart
-            .configure_mesh()
-            .x_desc(&self.x_label)
-            .y_desc(&self.y_label)
-            .axis_desc_style(("sans-serif", 13).into_font().color(&TEXT))
-            .label_style(("sans-serif", 12).into_font().color(&TEXT))
+        let mut mesh = chart.configure_mesh();
+        if frame.names {
+            mesh.x_desc(&self.x_label).y_desc(&self.y_label);
+        }
+        mesh.axis_desc_style(("sans-serif", 13).into_font().color(&TEXT))
+            .label_style(("sans-serif", frame.text).into_font().color(&TEXT))
             .axis_style(TEXT.mix(0.6))
             .bold_line_style(TEXT.mix(0.16))
             .light_line_style(TEXT.mix(0.0))
@@ -90,9 +107,6 @@ impl Chart {
             let points: Vec<(f64, f64)> = series.points.iter().filter_map(|&point| self.place(point)).collect();
             match series.line {
                 Line::None => {}
-                Line::Thin => {
-                    chart.draw_series(LineSeries::new(points.clone(), color.mix(0.45)))?;
-                }
                 Line::Full => {
                     chart.draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?;
                 }
@@ -153,6 +167,11 @@ impl Ranged for Decades {
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         let [low, high] = self.ends;
+        if high - low < 2.0 {
+            let steps = (low.floor() as i32..=high.ceil() as i32)
+                .flat_map(|power| [1.0, 2.0, 5.0].map(|digit: f64| f64::from(power) + digit.log10()));
+            return steps.filter(|step| (low..=high).contains(step)).collect();
+        }
         let count = (high.floor() - low.ceil()) as usize + 1;
         let step = count.div_ceil(hint.bold_points().clamp(2, 9)).max(1);
         let mut powers: Vec<f64> = (0..count).step_by(step).map(|i| low.ceil() + i as f64).collect();
@@ -172,14 +191,16 @@ impl ValueFormatter<f64> for Decades {
     fn format_ext(&self, value: &f64) -> String {
         match self.floor {
             Some(floor) if *value == self.ends[0] => floor.to_owned(),
-            _ => power_of_ten(*value as i32),
+            _ if *value == value.round() => power_of_ten(*value as i32),
+            // 2 or 5 in some decade.
+            _ => format!("{}", (10_f64.powf(*value) * 100.0).round() / 100.0),
         }
     }
 }
 
 /// 0.01, 0.1, 1, 10, 100; beyond them with an exponent.
 fn power_of_ten(power: i32) -> String {
-    if (-2..=3).contains(&power) {
+    if (-3..=3).contains(&power) {
         return 10_f64.powi(power).to_string();
     }
     let digits = power.to_string();

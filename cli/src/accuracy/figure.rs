@@ -34,6 +34,8 @@ pub(crate) enum Part {
     Text(String),
     /// Parts side by side, as far as the page is wide enough.
     Row(Vec<Part>),
+    /// Small parts side by side.
+    Grid(Vec<Part>),
     /// A part that is shown when its title is clicked.
     Folded { title: String, parts: Vec<Part> },
 }

@@ -53,6 +53,9 @@ fn part(part: &Part) -> String {
         Part::Row(parts) => {
             format!("<div class=\"row\">\n{}</div>\n", parts.iter().map(self::part).collect::<String>())
         }
+        Part::Grid(parts) => {
+            format!("<div class=\"grid\">\n{}</div>\n", parts.iter().map(self::part).collect::<String>())
+        }
         Part::Folded { title, parts } => format!(
             "<details>\n<summary>{}</summary>\n{}</details>\n",
             escaped(title),

@@ -2,7 +2,7 @@ use std::fmt::Write;
 
 use accel::Statistics;
 use geometry::PrimitiveCount;
-use render::{Inventory, Modules, Settings, ShadingNeeds};
+use render::{Allotment, Inventory, Modules, Settings, ShadingNeeds};
 
 use crate::args::InspectArguments;
 use crate::input::{ReadyScene, SceneSource};
@@ -58,16 +58,24 @@ fn picture(settings: &Settings) -> String {
 }
 
 fn rays(inventory: &Inventory, settings: &Settings) -> String {
-    let per_pixel = settings.rays_per_pixel();
+    let most = settings.rays_per_pixel();
     let zones = 1 << settings.aa;
-    let camera = format!(
-        "{} from the camera: {per_pixel} a pixel ({zones} x {zones} zones, {} in each)",
-        thousands(inventory.camera_rays),
-        settings.samples
-    );
-    match inventory.lights {
+    let camera = match settings.allotment {
+        Allotment::Adaptive => format!(
+            "up to {} from the camera: {} to {most} a pixel, more where its neighbours differ by {}",
+            thousands(inventory.camera_rays),
+            settings.least_rays().min(most),
+            settings.contrast
+        ),
+        Allotment::Even => format!(
+            "{} from the camera: {most} a pixel ({zones} x {zones} zones, {} in each)",
+            thousands(inventory.camera_rays),
+            settings.samples
+        ),
+    };
+    match inventory.lights_asked {
         0 => camera,
-        lights => format!("{camera}; up to {lights} to lights from each point seen"),
+        asked => format!("{camera}; up to {asked} to lights from each point seen"),
     }
 }
 
@@ -76,12 +84,14 @@ fn tree(statistics: &Statistics) -> String {
         return "none: every primitive is asked".to_owned();
     }
     format!(
-        "{} cells in {} levels, {} leaves with {} references, {}",
-        thousands((statistics.branches * 8 + 1) as u64),
-        statistics.depth + 1,
+        "{} branches in {} levels, {} leaves with {} references (at most {} in one), {}, expected cost {:.1}",
+        thousands(statistics.branches as u64),
+        statistics.depth,
         thousands(statistics.leaves as u64),
         thousands(statistics.references as u64),
-        bytes(statistics.bytes)
+        statistics.largest_leaf,
+        bytes(statistics.bytes),
+        statistics.cost
     )
 }
 

@@ -2,7 +2,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use render::{Film, Modules, render};
+use render::{Crop, Film, LostRays, Modules, render};
+use shading::Color;
 
 use crate::args::RenderArguments;
 use crate::input::SceneSource;
@@ -37,7 +38,8 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
     let film = film.ok_or_else(|| Failure::new("the rendering was broken off"))?;
     clock.lap("rendering");
 
-    let bytes = format.encode(&film)?;
+    let shown = if arguments.show_nan { &marked(&film, ready.settings.window()) } else { &film };
+    let bytes = format.encode(shown)?;
     interrupt.undivided(|| write_file(&output, &bytes))?;
     clock.lap("writing");
 
@@ -49,6 +51,7 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
                  `--falloff log` it does not",
             );
         }
+        warn_of_lost_rays(&film.lost);
         let (width, height) = (film.width, film.height);
         report::line(format!("{}: {width} x {height} pixels in {}", output.display(), seconds(clock.total())));
     }
@@ -68,6 +71,34 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
         ));
     }
     Ok(())
+}
+
+/// Says where a picture lacks light.
+fn warn_of_lost_rays(lost: &LostRays) {
+    const NAMED: usize = 3;
+    if lost.count == 0 {
+        return;
+    }
+    let places: Vec<_> = lost.pixels.iter().take(NAMED).map(|[x, y]| format!("({x}, {y})")).collect();
+    let more = if lost.pixels.len() > NAMED { " ..." } else { "" };
+    report::warning(
+        &format!("the light of {} rays is no number: pixels {}{more}", lost.count, places.join(", ")),
+        "NaN, infinite or beyond 7.9e28, and counted as black; `--show-nan` shows all such pixels. Look for numbers in the scene that \
+         overflow, or in a shader of your own for a division by 0 or the root of a negative number",
+    );
+}
+
+/// The picture of a window dimmed to a quarter, and magenta where rays were lost.
+fn marked(film: &Film, window: Crop) -> Film {
+    let mut marked = film.clone();
+    for pixel in &mut marked.pixels {
+        *pixel = *pixel * 0.25;
+    }
+    for [x, y] in &film.lost.pixels {
+        let index = (y - window.y) as usize * film.width as usize + (x - window.x) as usize;
+        marked.pixels[index] = Color::new(1.0, 0.0, 1.0);
+    }
+    marked
 }
 
 fn is_uniform(film: &Film) -> bool {

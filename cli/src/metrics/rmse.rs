@@ -18,11 +18,17 @@ pub fn rmse(one: &Film, other: &Film) -> Result<f64, MetricError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use render::RayCounts;
+    use render::{LostRays, RayCounts};
     use shading::Color;
 
     fn film(width: u32, pixels: Vec<Color>) -> Film {
-        Film { width, height: pixels.len() as u32 / width, pixels, rays: RayCounts::default() }
+        Film {
+            width,
+            height: pixels.len() as u32 / width,
+            pixels,
+            rays: RayCounts::default(),
+            lost: LostRays::default(),
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Pairs of small pictures, made by whole-number arithmetic, on which our FLIP is held against its authors' program.
 
-use render::{Film, RayCounts};
+use render::{Film, LostRays, RayCounts};
 use shading::{Color, srgb};
 
 /// Two pictures to compare, and how far the authors' program may be off.
@@ -48,7 +48,7 @@ impl Picture {
     pub(crate) fn film(&self) -> Film {
         let (pixels, _) = self.bytes.as_chunks();
         let pixels = pixels.iter().map(|rgb: &[u8; 3]| Color::from(rgb.map(srgb::decode_byte))).collect();
-        Film { width: self.width, height: self.height, pixels, rays: RayCounts::default() }
+        Film { width: self.width, height: self.height, pixels, rays: RayCounts::default(), lost: LostRays::default() }
     }
 }
 

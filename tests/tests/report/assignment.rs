@@ -24,7 +24,9 @@ fn spheres(scene: &SceneFile, wanted: f32) -> Vec<Vec3> {
     });
     shapes
         .filter_map(|shape| match *shape {
-            Shape::Sphere(SphereForm::CenterRadius { center, radius }) if radius == wanted => Some(center.into()),
+            Shape::Sphere(SphereForm::CenterRadius { center, radius }) if radius.value == wanted => {
+                Some(center.value.into())
+            }
             _ => None,
         })
         .collect()

@@ -144,6 +144,90 @@ fn is_character(text: &str) -> bool {
     }
 }
 
+/// A code without comments and strings, without what is compiled for tests alone; and the files that it includes for these alone.
+pub(crate) fn without_tests(path: &Path, code: &str) -> (String, Vec<PathBuf>) {
+    const MARK: &str = "#[cfg(test)]";
+    let (mut kept, mut files, mut rest) = (String::new(), Vec::new(), code);
+    while let Some(at) = rest.find(MARK) {
+        kept.push_str(&rest[..at]);
+        let item = &rest[at + MARK.len()..];
+        let end = item.find([';', '{']).unwrap_or(item.len());
+        rest = if item[end..].starts_with('{') {
+            &item[end + braced(&item[end..])..]
+        } else {
+            if let Some(module) = item[..end].trim().strip_prefix("mod ") {
+                // Beside the file, or in the folder of its name.
+                let folder = path.with_extension("");
+                files.extend(
+                    [&folder, path.parent().unwrap_or(&folder)].map(|folder| folder.join(format!("{module}.rs"))),
+                );
+            }
+            &item[end..]
+        };
+    }
+    kept.push_str(rest);
+    (kept, files)
+}
+
+/// The length of what stands in braces.
+fn braced(code: &str) -> usize {
+    let mut depth = 0;
+    for (at, letter) in code.char_indices() {
+        match letter {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return at + 1;
+        }
+    }
+    code.len()
+}
+
+/// The decimal numbers in a code without comments and strings: their value, how they are written, and the code before them
+/// without white space. Whole numbers too; no fields of tuples, no ends of names.
+pub(crate) fn numbers(code: &str) -> Vec<(f64, String, String)> {
+    let letters: Vec<char> = code.chars().collect();
+    let mut found = Vec::new();
+    let mut before = String::new();
+    let mut at = 0;
+    while at < letters.len() {
+        let starts = letters[at].is_ascii_digit()
+            && !before.ends_with(|letter: char| letter.is_alphanumeric() || letter == '_')
+            && !(before.ends_with('.') && !before.ends_with(".."));
+        let end = if starts { number_end(&letters, at) } else { at + 1 };
+        let text: String = letters[at..end].iter().collect();
+        if starts {
+            let digits = text.replace('_', "");
+            let digits = digits.trim_end_matches("f32").trim_end_matches("f64");
+            if let Ok(value) = digits.parse() {
+                found.push((value, text.clone(), before.clone()));
+            }
+        }
+        before.extend(text.chars().filter(|letter| !letter.is_whitespace()));
+        at = end;
+    }
+    found
+}
+
+/// Where a number ends: a point belongs to it if a digit follows, a sign if an exponent's letter precedes.
+fn number_end(letters: &[char], start: usize) -> usize {
+    let mut end = start + 1;
+    while let Some(&letter) = letters.get(end) {
+        let next_is_digit = letters.get(end + 1).is_some_and(char::is_ascii_digit);
+        let is_part = letter.is_alphanumeric()
+            || letter == '_'
+            || (letter == '.' && next_is_digit)
+            || ("+-".contains(letter) && "eE".contains(letters[end - 1]) && next_is_digit);
+        if !is_part {
+            break;
+        }
+        end += 1;
+    }
+    end
+}
+
 /// Every path in a code without comments and strings, with the braces of `use` written out: `std::{fmt, fs::File}` is `std`'s `fmt` and `fs::File`.
 /// A renamed part goes under its first name; `self` stands for the path before it.
 pub(crate) fn paths_in(code: &str) -> Vec<String> {

@@ -1,5 +1,5 @@
 use std::arch::x86_64::*;
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use super::{Isa, Lanes};
 
@@ -12,6 +12,7 @@ impl Avx2 {
     pub(in crate::wide) fn detect() -> Option<Self> {
         let detected = is_x86_feature_detected!("avx2")
             && is_x86_feature_detected!("bmi1")
+            && is_x86_feature_detected!("fma")
             && is_x86_feature_detected!("bmi2")
             && is_x86_feature_detected!("lzcnt")
             && is_x86_feature_detected!("popcnt");
@@ -24,7 +25,7 @@ impl Isa for Avx2 {
 
     #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
-        #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+        #[target_feature(enable = "avx2,bmi1,fma,bmi2,lzcnt,popcnt")]
         fn compiled_for_it<R>(code: impl FnOnce() -> R) -> R {
             code()
         }
@@ -51,6 +52,15 @@ impl Sub for Eight {
     fn sub(self, other: Self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_sub_ps(self.0, other.0) })
+    }
+}
+
+impl Div for Eight {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_div_ps(self.0, other.0) })
     }
 }
 
@@ -83,6 +93,12 @@ impl Lanes<Avx2> for Eight {
     }
 
     #[inline(always)]
+    fn times_less(self, factor: Self, less: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_fmsub_ps(self.0, factor.0, less.0) })
+    }
+
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_min_ps(self.0, other.0) })
@@ -98,6 +114,12 @@ impl Lanes<Avx2> for Eight {
     fn abs(self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> u32 {
+        // SAFETY: kind 1.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0)) as u32 }
     }
 
     #[inline(always)]

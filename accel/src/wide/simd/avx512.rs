@@ -1,5 +1,5 @@
 use std::arch::x86_64::*;
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use super::{Isa, Lanes};
 
@@ -14,6 +14,7 @@ impl Avx512 {
             && is_x86_feature_detected!("avx512vl")
             && is_x86_feature_detected!("avx512dq")
             && is_x86_feature_detected!("bmi1")
+            && is_x86_feature_detected!("fma")
             && is_x86_feature_detected!("bmi2")
             && is_x86_feature_detected!("lzcnt")
             && is_x86_feature_detected!("popcnt");
@@ -26,7 +27,7 @@ impl Isa for Avx512 {
 
     #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
-        #[target_feature(enable = "avx512f,avx512vl,avx512dq,bmi1,bmi2,lzcnt,popcnt")]
+        #[target_feature(enable = "avx512f,avx512vl,avx512dq,bmi1,fma,bmi2,lzcnt,popcnt")]
         fn compiled_for_it<R>(code: impl FnOnce() -> R) -> R {
             code()
         }
@@ -53,6 +54,15 @@ impl Sub for Eight {
     fn sub(self, other: Self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_sub_ps(self.0, other.0) })
+    }
+}
+
+impl Div for Eight {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_div_ps(self.0, other.0) })
     }
 }
 
@@ -85,6 +95,12 @@ impl Lanes<Avx512> for Eight {
     }
 
     #[inline(always)]
+    fn times_less(self, factor: Self, less: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_fmsub_ps(self.0, factor.0, less.0) })
+    }
+
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_min_ps(self.0, other.0) })
@@ -100,6 +116,12 @@ impl Lanes<Avx512> for Eight {
     fn abs(self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> u32 {
+        // SAFETY: kind 1.
+        unsafe { u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)) }
     }
 
     #[inline(always)]

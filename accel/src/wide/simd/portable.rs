@@ -1,5 +1,5 @@
 use std::array::from_fn;
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use super::{Isa, Lanes};
 
@@ -35,6 +35,14 @@ impl Sub for Eight {
     }
 }
 
+impl Div for Eight {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] / other.0[i]))
+    }
+}
+
 impl Mul for Eight {
     type Output = Self;
     #[inline(always)]
@@ -59,6 +67,11 @@ impl Lanes<Portable> for Eight {
         *to = self.0;
     }
 
+    #[inline(always)]
+    fn times_less(self, factor: Self, less: Self) -> Self {
+        self * factor - less
+    }
+
     // Written as the processors' instructions do it, which is cheaper than f32::min.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
@@ -73,6 +86,11 @@ impl Lanes<Portable> for Eight {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.map(f32::abs))
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> u32 {
+        (0..8).fold(0, |bits, i| bits | u32::from(self.0[i] < other.0[i]) << i)
     }
 
     #[inline(always)]

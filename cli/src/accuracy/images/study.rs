@@ -1,0 +1,173 @@
+//! Pictures of a scene with every sampling setting, against a reference.
+
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use render::{Allotment, Buckets, Film, Modules, Settings, render};
+
+use super::curve::Point;
+use super::samplings::{Sampling, Step};
+use crate::input::{ReadyScene, SceneSource};
+use crate::metrics::{PIXELS_PER_DEGREE, flip, rmse};
+use crate::options::RenderOptions;
+use crate::report::{Failure, Show};
+use crate::scenes::EmbeddedScene;
+
+/// The reference is the mean of two pictures of 512 rays a pixel: 2^4 x 2^4 zones with two rays each.
+const REFERENCE_AA: u32 = 4;
+const REFERENCE_SAMPLES: u32 = 2;
+/// What is added to the seed for their numbers, so that no picture that is judged has the same: the reference must not know its noise.
+const REFERENCE_SEEDS: [u32; 2] = [1_000_001, 1_000_002];
+
+/// Small buckets, so that all threads have work to the end of a small picture.
+const BUCKETS: u32 = 8;
+
+/// What was measured of a scene.
+pub(crate) struct Study {
+    /// Its name.
+    pub(crate) scene: &'static str,
+    /// Of the pictures.
+    pub(crate) size: [u32; 2],
+    /// Camera rays a pixel of the reference.
+    pub(crate) reference_rays: u32,
+    /// How far the reference itself is from the truth, as RMSE: half the distance of its two halves.
+    pub(crate) reference_error: f64,
+    /// For each sampling, its points by rising cost.
+    pub(crate) curves: Vec<Vec<Point>>,
+}
+
+/// Measures a scene at a width in pixels. The errors depend on the seed alone. `advance` is called after the reference and after each
+/// sampling.
+pub(crate) fn study(
+    scene: &'static EmbeddedScene,
+    width: u32,
+    seed: u32,
+    modules: Modules,
+    samplings: &[Sampling],
+    advance: &dyn Fn(),
+) -> Result<Study, Failure> {
+    let source = SceneSource::embedded(scene);
+    let parsed = source.parse(&modules);
+    let ready = |sampler| -> Result<ReadyScene, Failure> {
+        let modules = Modules { sampler, ..modules };
+        let ready = source.assemble(&parsed, &RenderOptions::default(), modules, Show::Errors)?;
+        let settings = small(&ready.settings, width, seed);
+        Ok(ReadyScene { settings, ..ready })
+    };
+    let best = ready(render::sobol)?;
+    let size = best.settings.size;
+    let reference = Reference::render(&best)?;
+    advance();
+    let mut curves = Vec::new();
+    for sampling in samplings {
+        let ready = ready(sampling.sampler)?;
+        let settings = Settings { light_samples: sampling.light_samples, ..ready.settings.clone() };
+        let points = sampling.steps.iter().map(|&step| measure(&ready, &settings, step, &reference));
+        curves.push(points.collect::<Result<Vec<_>, _>>()?);
+        advance();
+    }
+    let reference_rays = 2 * (1 << (2 * REFERENCE_AA)) * REFERENCE_SAMPLES;
+    Ok(Study { scene: scene.name, size, reference_rays, reference_error: reference.error, curves })
+}
+
+fn small(settings: &Settings, width: u32, seed: u32) -> Settings {
+    let [w, h] = settings.size;
+    let height = (width * h + w / 2) / w;
+    let buckets = Buckets { size: BUCKETS, ..settings.buckets };
+    Settings { size: [width, height.max(1)], buckets, seed, allotment: Allotment::Even, ..settings.clone() }
+}
+
+/// What a picture is held against.
+struct Reference {
+    film: Film,
+    error: f64,
+}
+
+impl Reference {
+    fn render(ready: &ReadyScene) -> Result<Self, Failure> {
+        let half = |number| {
+            let seed = ready.settings.seed.wrapping_add(number);
+            let settings = Settings { aa: REFERENCE_AA, samples: REFERENCE_SAMPLES, seed, ..ready.settings.clone() };
+            picture(ready, &settings)
+        };
+        let [mut film, other] = [half(REFERENCE_SEEDS[0])?, half(REFERENCE_SEEDS[1])?];
+        let error = rmse(&film, &other).map_err(not_compared)? / 2.0;
+        for (pixel, other) in film.pixels.iter_mut().zip(other.pixels) {
+            *pixel = (*pixel + other) / 2.0;
+        }
+        Ok(Self { film, error })
+    }
+}
+
+/// A point of a curve.
+fn measure(ready: &ReadyScene, settings: &Settings, step: Step, reference: &Reference) -> Result<Point, Failure> {
+    let mut seconds = f64::INFINITY;
+    let (mut squares, mut flips, mut camera, mut rays) = (0.0, 0.0, 0, 0);
+    for number in 0..step.pictures {
+        let settings = Settings { seed: settings.seed.wrapping_add(number), ..step.settings(settings) };
+        let start = Instant::now();
+        let film = picture(ready, &settings)?;
+        seconds = start.elapsed().as_secs_f64().min(seconds);
+        let error = rmse(&reference.film, &film).map_err(not_compared)?;
+        squares += error * error;
+        flips += flip(&reference.film, &film, PIXELS_PER_DEGREE).map_err(not_compared)?.mean();
+        camera += film.rays.camera;
+        rays += film.rays.total();
+    }
+    let [width, height] = settings.size.map(f64::from);
+    let pictures = f64::from(step.pictures);
+    Ok(Point {
+        rays_per_pixel: camera as f64 / pictures / (width * height),
+        rays: rays as f64 / pictures,
+        seconds,
+        rmse: (squares / pictures).sqrt(),
+        flip: flips / pictures,
+    })
+}
+
+fn picture(ready: &ReadyScene, settings: &Settings) -> Result<Film, Failure> {
+    render(&ready.assembled.scene, settings, &|_| ControlFlow::Continue(()))
+        .ok_or_else(|| Failure::new("the rendering was broken off"))
+}
+
+fn not_compared(error: impl std::fmt::Display) -> Failure {
+    Failure::of("pictures were not compared", error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samplings::all;
+    use super::*;
+    use crate::scenes;
+
+    fn studied(seed: u32) -> Study {
+        let scene = scenes::find("glass-mirror").unwrap();
+        let modules = Modules::default();
+        study(scene, 12, seed, modules, &all(&modules)[..1], &|| {}).unwrap()
+    }
+
+    #[test]
+    fn errors_are_the_same_on_every_run_and_others_with_another_seed() {
+        let without_times = |study: Study| -> Vec<Point> {
+            study.curves.into_iter().flatten().map(|point| Point { seconds: 0.0, ..point }).collect()
+        };
+        assert_eq!(without_times(studied(1)), without_times(studied(1)));
+        assert_ne!(without_times(studied(1)), without_times(studied(2)));
+    }
+
+    #[test]
+    fn the_reference_is_nearer_to_the_truth_than_what_it_judges() {
+        let Study { reference_error, reference_rays, curves, .. } = studied(1);
+        assert_eq!(reference_rays, 1024);
+        for point in &curves[0] {
+            assert!(reference_error < point.rmse / 3.0, "{reference_error}, {point:?}");
+        }
+    }
+
+    #[test]
+    fn points_have_the_rays_that_they_say_and_more_rays_come_nearer() {
+        let points = &studied(1).curves[0];
+        assert_eq!(points.iter().map(|point| point.rays_per_pixel).collect::<Vec<_>>(), [1.0, 4.0, 16.0, 64.0]);
+        assert!(points.windows(2).all(|pair| pair[0].rmse > pair[1].rmse && pair[0].flip > pair[1].flip), "{points:?}");
+    }
+}
