@@ -67,8 +67,8 @@ pub(crate) struct RenderOptions {
     #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
           value_parser = parse_soft_shadows)]
     soft_shadows: Option<SoftShadows>,
-    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: so many that a pixel's rays together ask
-    /// about all. [default: shared]
+    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: all at up to four rays a pixel, and
+    /// for more so many that they together ask each four times. [default: shared]
     #[arg(long, value_name = "N", value_parser = parse_light_samples)]
     light_samples: Option<LightSamples>,
     /// Render only this part of the picture: its left column, top row, width and height in pixels.

@@ -102,13 +102,13 @@ fn inspect_says_how_rays_and_lights_are_sampled() {
         rays(&["tiny.sc", "--aa", "1,2", "--adaptive=0.2"]),
         "up to 3,200 from the camera: 4 to 16 a pixel, more where its neighbours differ by 0.2"
     );
-    // Its two lights become 27 each; of each a pixel's four rays ask 7.
-    let soft = ["shadows-soft", "--size", "10x10", "--aa", "1"];
-    let four = "400 from the camera: 4 a pixel (2 x 2 zones, 1 in each); up to";
-    assert_eq!(rays(&soft), format!("{four} 14 to lights from each point seen"));
+    // Its two lights become 27 each; of each a pixel's 16 rays ask 7.
+    let soft = ["shadows-soft", "--size", "10x10", "--aa", "2"];
+    let sixteen = "1,600 from the camera: 16 a pixel (4 x 4 zones, 1 in each); up to";
+    assert_eq!(rays(&soft), format!("{sixteen} 14 to lights from each point seen"));
     for (light_samples, asked) in [("all", 54), ("1", 2), ("5", 10), ("shared", 14)] {
         let found = rays(&[&soft[..], &["--light-samples", light_samples]].concat());
-        assert_eq!(found, format!("{four} {asked} to lights from each point seen"));
+        assert_eq!(found, format!("{sixteen} {asked} to lights from each point seen"));
     }
 }
 
