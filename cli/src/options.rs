@@ -127,7 +127,7 @@ enum NaiveKernel {
     Triangle,
     /// Rays nearly parallel to a plane miss it.
     Plane,
-    /// The slab test without care for zeros and rounding.
+    /// The slab test without care for zeros and rounding, in the plain octree.
     Box,
     /// Shadow rays and others start 0.0001 off the surface.
     Offset,
@@ -153,7 +153,12 @@ impl NaiveKernel {
             Self::Offset | Self::All => naive::offset_along_normal,
             _ => modules.ray_origin,
         };
-        Modules { kernels, ray_origin, ..modules }
+        // The wide octree packs its boxes and has a test of its own for them.
+        let accelerator = match self {
+            Self::Box | Self::All => accel::octree,
+            _ => modules.accelerator,
+        };
+        Modules { kernels, ray_origin, accelerator, ..modules }
     }
 }
 
@@ -188,6 +193,7 @@ impl RenderOptions {
             None | Some(LightingName::Report) => modules,
             Some(LightingName::Sunflow) => modules.lit_as_by_sunflow(),
         };
+        let modules = self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules));
         let accelerator = match (self.accelerator, self.hits) {
             (None, None) => modules.accelerator,
             (Some(AcceleratorName::None), _) => accel::none,
@@ -201,8 +207,7 @@ impl RenderOptions {
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
         let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
-        let modules = Modules { accelerator, falloff, sampler, ..modules };
-        self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules))
+        Modules { accelerator, falloff, sampler, ..modules }
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.

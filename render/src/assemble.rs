@@ -2,6 +2,8 @@
 
 mod camera;
 mod color;
+mod curved;
+mod files;
 mod lights;
 mod objects;
 mod placement;
@@ -20,6 +22,7 @@ use shading::{Bounces, Color, PointLight, SoftShadows};
 
 use crate::{Camera, Dialect, Modules, Raster, Scene, Settings};
 use color::linear;
+use files::MeshFiles;
 use shaders::ShaderTable;
 pub use shaders::ShadingNeeds;
 
@@ -68,7 +71,8 @@ pub fn assemble(
 ) -> Result<Assembled, Vec<Diagnostic>> {
     let mut parts = Parts {
         modules,
-        shaders: ShaderTable::new(modules, texture_path(file), files),
+        shaders: ShaderTable::new(modules, search_path(file, &["texturepath"]), files),
+        mesh_files: MeshFiles::new(search_path(file, &["includepath", "texturepath"]), files, modules.limits),
         names: BTreeSet::new(),
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
@@ -86,20 +90,21 @@ pub fn assemble(
     parts.finish(lighting, Settings::of(file))
 }
 
-/// Where textures are looked for: beside each file that was read, and where `texturepath` says.
-fn texture_path(file: &SceneFile) -> SearchPath {
-    fn add(path: &mut SearchPath, name: &str, scene: &SceneFile) {
+/// Where files are looked for: beside each file that was read, and where statements of some kinds say.
+fn search_path(file: &SceneFile, kinds: &[&str]) -> SearchPath {
+    fn add(path: &mut SearchPath, name: &str, scene: &SceneFile, kinds: &[&str]) {
         path.add_directory_of(name);
         for statement in &scene.statements {
             match &statement.value {
-                Statement::TexturePath(directory) => path.add(&directory.value, name),
-                Statement::Include { file: Some(included), .. } => add(path, &included.path, &included.scene),
+                Statement::TexturePath(directory) if kinds.contains(&"texturepath") => path.add(directory, name),
+                Statement::IncludePath(directory) if kinds.contains(&"includepath") => path.add(directory, name),
+                Statement::Include { file: Some(included), .. } => add(path, &included.path, &included.scene, kinds),
                 _ => {}
             }
         }
     }
     let mut path = SearchPath::new();
-    add(&mut path, "", file);
+    add(&mut path, "", file, kinds);
     path
 }
 
@@ -107,6 +112,7 @@ fn texture_path(file: &SceneFile) -> SearchPath {
 struct Parts<'a> {
     modules: &'a Modules,
     shaders: ShaderTable<'a>,
+    mesh_files: MeshFiles<'a>,
     /// All names given so far. Of two things with one name, whatever they are, the first holds, as in Sunflow.
     names: BTreeSet<&'a str>,
     /// The shapes that instances can show again, by the names of their objects.

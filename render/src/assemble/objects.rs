@@ -1,13 +1,18 @@
+use std::borrow::Cow;
+
 use geometry::{Corners, Ellipsoid, Mesh, Plane, Sphere, Transform, unit_cube};
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use scene_format::{
     Code, Diagnostic, Span, Spanned,
-    scene_file::{self, Instance, MeshForm, Object, PerVertex, PlaneOrientation, Shape, SphereForm, Triple},
+    scene_file::{
+        self, Instance, MeshForm, Object, ParticleSource, PerVertex, PlaneOrientation, Shape, SphereForm, Triple,
+    },
+    smooth_normals,
 };
 
 use crate::Dialect;
 
-use super::{Parts, placement::dvec3, placement::invertible};
+use super::{Parts, curved, placement::dvec3, placement::invertible};
 
 /// Coordinates beyond this make boxes and distances overflow.
 const LARGEST_COORDINATE: f32 = 1e15;
@@ -49,6 +54,7 @@ impl<'a> Parts<'a> {
     }
 
     fn add_shape(&mut self, shape: &Spanned<Shape>, shaders: &[Spanned<String>], to_world: &Transform) {
+        let (before, planes_before) = (self.bounded.len(), self.planes.len());
         let added = match &shape.value {
             Shape::Sphere(form) => self.add_sphere(*form, shaders, to_world),
             Shape::Plane { point, orientation } => {
@@ -61,8 +67,38 @@ impl<'a> Parts<'a> {
                 shaders,
                 shape.span,
             ),
-            _ => Ok(()),
+            Shape::FileMesh { file, smooth } => self.add_file_mesh(file, *smooth, shaders, to_world),
+            Shape::Bezier(mesh) => {
+                let count = curved::triangles_of(curved::patches_of(mesh), &mesh.subdivision);
+                self.add_made(count, || curved::bezier(mesh), shaders, to_world, shape.span)
+            }
+            Shape::Teapot(subdivision) => {
+                let count = curved::triangles_of(curved::TEAPOT_PATCHES, subdivision);
+                self.add_made(count, || curved::teapot(subdivision), shaders, to_world, shape.span)
+            }
+            Shape::Cylinder => self.add_made(Some(0), curved::cylinder, shaders, to_world, shape.span),
+            Shape::Torus { radii } => {
+                self.add_made(Some(0), || curved::torus(radii.value), shaders, to_world, shape.span)
+            }
+            Shape::Sphereflake { level, axis, radius } => {
+                let level = level.map_or(2, |level| level.value);
+                let axis = axis.map_or([0.0, 0.0, 1.0], |axis| axis.value);
+                let radius = radius.map_or(1.0, |radius| radius.value);
+                self.check_count(curved::spheres_of(level), shape.span)
+                    .and_then(|()| self.add_balls(&curved::sphereflake(level, axis, radius), shaders, to_world))
+            }
+            Shape::Particles { centers, count, radius } => {
+                let count = count.map_or(usize::MAX, |count| count.value as usize);
+                self.add_particles(centers, count, radius.value.into(), shaders, to_world)
+            }
+            Shape::Gumbo(_) | Shape::Unrendered(_) | Shape::Unknown(_) => return,
         };
+        if added.is_ok() && (before, planes_before) == (self.bounded.len(), self.planes.len()) {
+            self.diagnostics.push(
+                Diagnostic::warning(Code::EmptyMesh, shape.span, "there is nothing in this object")
+                    .label("it has no triangle and no sphere"),
+            );
+        }
         match added {
             Err(NotPlaced::TooFar) => self.diagnostics.push(
                 Diagnostic::error(Code::TooFar, shape.span, "this object reaches too far out")
@@ -82,10 +118,16 @@ impl<'a> Parts<'a> {
     ) -> Result<(), NotPlaced> {
         let place = match form {
             SphereForm::Unit => *to_world,
-            SphereForm::CenterRadius { center, radius } => Transform::scale(glam::DVec3::splat(radius.value.into()))
+            SphereForm::CenterRadius { center, radius } => Transform::scale(DVec3::splat(radius.value.into()))
                 .then(&Transform::translation(dvec3(center.value)))
                 .then(to_world),
         };
+        let shader = self.first_shader(shaders);
+        self.add_ball(place, shader)
+    }
+
+    /// Adds the sphere of radius 1, placed by a transform.
+    fn add_ball(&mut self, place: Transform, shader: u32) -> Result<(), NotPlaced> {
         // Turned or stretched, it is an ellipsoid.
         match place.uniform_scale() {
             Some(scale) => {
@@ -100,9 +142,82 @@ impl<'a> Parts<'a> {
                 self.bounded.add_ellipsoid(ellipsoid);
             }
         }
-        let shader = self.first_shader(shaders);
         self.shader_of_bounded.push(shader);
         Ok(())
+    }
+
+    /// Adds spheres, centre and radius each.
+    fn add_balls(
+        &mut self,
+        spheres: &[(DVec3, f64)],
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+    ) -> Result<(), NotPlaced> {
+        let shader = self.first_shader(shaders);
+        for (center, radius) in spheres {
+            let place = Transform::scale(DVec3::splat(*radius)).then(&Transform::translation(*center)).then(to_world);
+            self.add_ball(place, shader)?;
+        }
+        Ok(())
+    }
+
+    fn add_particles(
+        &mut self,
+        centers: &ParticleSource,
+        count: usize,
+        radius: f64,
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+    ) -> Result<(), NotPlaced> {
+        let points = match centers {
+            ParticleSource::Points(points) => Cow::Borrowed(points.as_slice()),
+            ParticleSource::File { name, little_endian } => {
+                Cow::Owned(self.mesh_files.points(name, little_endian.is_some()).map_err(NotPlaced::Because)?)
+            }
+        };
+        let balls: Vec<_> = points.iter().take(count).map(|center| (dvec3(*center), radius)).collect();
+        self.add_balls(&balls, shaders, to_world)
+    }
+
+    fn add_file_mesh(
+        &mut self,
+        file: &Spanned<String>,
+        smooth: Option<Spanned<bool>>,
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+    ) -> Result<(), NotPlaced> {
+        let mut mesh = self.mesh_files.mesh(file).map_err(NotPlaced::Because)?;
+        if smooth.is_some_and(|smooth| smooth.value) && *mesh.normals == PerVertex::None {
+            smooth_normals(&mut mesh);
+        }
+        self.add_mesh(placed(from_file(&mesh, self.modules.dialect), to_world), None, shaders, file.span)
+    }
+
+    /// Adds a mesh that is made here, of so many triangles.
+    fn add_made(
+        &mut self,
+        count: Option<usize>,
+        make: impl FnOnce() -> Mesh,
+        shaders: &[Spanned<String>],
+        to_world: &Transform,
+        span: Span,
+    ) -> Result<(), NotPlaced> {
+        self.check_count(count, span)?;
+        self.add_mesh(placed(make(), to_world), None, shaders, span)
+    }
+
+    /// Whether an object may have so many elements; `None` is more than can be counted.
+    fn check_count(&self, count: Option<usize>, span: Span) -> Result<(), NotPlaced> {
+        let most = self.modules.limits.elements;
+        if count.is_some_and(|count| count <= most) {
+            return Ok(());
+        }
+        let message = format!("an object may have at most {most} elements");
+        let error = Diagnostic::error(Code::OverLimit, span, message).label(match count {
+            Some(count) => format!("this one would have {count}"),
+            None => "this one would have more than can be counted".to_owned(),
+        });
+        Err(NotPlaced::Because(error.help("a smaller `subdivs` or `level` is enough for any picture")))
     }
 
     fn add_plane(
@@ -195,7 +310,7 @@ impl<'a> Parts<'a> {
     fn warn_of_flat_triangles(&mut self, mesh: &Mesh, span: Span) {
         let is_flat = |&&corners: &&[u32; 3]| {
             let corners = corners.map(|corner| mesh.positions[corner as usize]);
-            geometry::Triangle { corners }.scaled_normal() == glam::DVec3::ZERO
+            geometry::Triangle { corners }.scaled_normal() == DVec3::ZERO
         };
         let flat = mesh.triangles.iter().filter(is_flat).count();
         if flat > 0 {

@@ -11,10 +11,6 @@ use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow};
 use super::color::linear;
 use crate::{Dialect, Modules};
 
-/// The largest texture that is read, in pixels along an edge and in bytes of memory.
-const LARGEST_TEXTURE_EDGE: u32 = 16_384;
-const LARGEST_TEXTURE_BYTES: u64 = 1 << 30;
-
 /// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
 pub(super) struct ShaderTable<'a> {
     modules: &'a Modules,
@@ -203,7 +199,7 @@ impl<'a> ShaderTable<'a> {
                     .label(reason)
             }
         })?;
-        let picture = decode(&bytes).map_err(|reason| {
+        let picture = decode(&bytes, &self.modules.limits).map_err(|reason| {
             Diagnostic::error(
                 Code::UnusableFile,
                 name.span,
@@ -279,12 +275,12 @@ fn absorbing(absorption: &scene_file::Absorption) -> Option<Absorption> {
 }
 
 /// A picture from the bytes of a PNG, JPG, GIF or BMP file, whatever its name says.
-fn decode(bytes: &[u8]) -> Result<ImageTexture, String> {
+pub(crate) fn decode(bytes: &[u8], most: &scene_format::Limits) -> Result<ImageTexture, String> {
     let mut reader = ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     let mut limits = Limits::default();
-    limits.max_image_width = Some(LARGEST_TEXTURE_EDGE);
-    limits.max_image_height = Some(LARGEST_TEXTURE_EDGE);
-    limits.max_alloc = Some(LARGEST_TEXTURE_BYTES);
+    limits.max_image_width = Some(most.texture_edge);
+    limits.max_image_height = Some(most.texture_edge);
+    limits.max_alloc = Some(most.texture_bytes);
     reader.limits(limits);
     let image = reader.decode().map_err(|error| error.to_string())?.into_rgb8();
     let (width, height) = image.dimensions();
