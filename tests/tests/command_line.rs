@@ -300,14 +300,19 @@ fn ambient_light_where_sunflow_has_none_is_an_error_that_says_so() {
 #[test]
 fn accuracy_writes_a_page_and_the_same_numbers_for_programs() {
     let folder = folder();
-    let ended = succeed(&folder, &["accuracy", "--quick", "-o", "page.html"]);
+    let ended = succeed(&folder, &["accuracy", "--quick", "--scenes", "globe", "-o", "page.html"]);
     assert!(ended.stderr.contains("page.html"), "{}", ended.stderr);
     let page = String::from_utf8(folder.read("page.html")).unwrap();
     assert!(
         page.starts_with("<!DOCTYPE html>") && page.contains("data:image/png;base64,") && !page.contains("<script")
     );
     let numbers = String::from_utf8(folder.read("page.json")).unwrap();
-    assert!(numbers.starts_with('{') && numbers.contains("\"p99.9\"") && numbers.ends_with("}\n"));
+    assert!(
+        numbers.starts_with('{')
+            && numbers.contains("\"p99.9\"")
+            && numbers.contains("\"globe\"")
+            && numbers.ends_with("}\n")
+    );
 }
 
 #[test]
