@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Fmt(FmtArguments),
     /// Say more about a message by its code, with an example that is wrong and one that is right.
     ExplainError(ExplainArguments),
+    /// Write a scene around a mesh: a camera that frames it, a light and a floor.
+    Convert(ConvertArguments),
     /// Show what a scene needs and what it will cost.
     Inspect(InspectArguments),
     /// List the built-in scenes, print one, or write it to a folder.
@@ -89,6 +91,30 @@ pub(crate) struct FmtArguments {
     /// Put the text in the file's place instead of printing it.
     #[arg(short, long)]
     pub(crate) write: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArguments {
+    /// A mesh: .obj, .stl, .ply or .ra3.
+    pub(crate) mesh: PathBuf,
+    /// The scene to write. [default: the mesh's name with .sc]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// The axis that points upwards. [default: y for .obj, else z]
+    #[arg(long, value_name = "AXIS")]
+    pub(crate) up: Option<Axis>,
+    /// Give a mesh that has no normals those that let it look round.
+    #[arg(long)]
+    pub(crate) smooth: bool,
+}
+
+/// Which way is up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Axis {
+    /// As in most pictures.
+    Y,
+    /// As in the course's scenes.
+    Z,
 }
 
 #[derive(Debug, Args)]

@@ -37,6 +37,7 @@ pub fn run(modules: Modules) -> ExitCode {
         Command::Check(arguments) => commands::check::run(&arguments, modules),
         Command::Fmt(arguments) => commands::fmt::run(&arguments),
         Command::ExplainError(arguments) => commands::explain_error::run(&arguments),
+        Command::Convert(arguments) => commands::convert::run(&arguments),
         Command::Inspect(arguments) => commands::inspect::run(&arguments, modules),
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),

@@ -42,13 +42,16 @@ impl<'s> Parser<'s> {
 
     fn edge(&mut self, field: Token<'_>) -> Read<u32> {
         let most = self.context.limits.picture_edge;
-        let edge = self.integer(field, 1..=i32::MAX.into())? as u32;
-        if edge > most {
-            let message = format!("the picture's edges may have at most {most} pixels");
-            let error = Diagnostic::error(Code::OverLimit, self.cursor.previous(), message);
-            return self.fail(error.label(format!("found {edge}")));
+        let edge = self.integer(field, i32::MIN.into()..=i32::MAX.into())?;
+        match u32::try_from(edge) {
+            Ok(pixels) if (1..=most).contains(&pixels) => Ok(pixels),
+            _ => {
+                let code = if edge < 1 { Code::OutOfRange } else { Code::OverLimit };
+                let message = format!("`{}` must be from 1 to {most}", field.text);
+                let error = Diagnostic::error(code, self.cursor.previous(), message);
+                self.fail(error.label(format!("found `{edge}`")))
+            }
         }
-        Ok(edge)
     }
 
     fn exponent(&mut self, field: Token<'_>) -> Read<i32> {

@@ -192,6 +192,13 @@ mod tests {
     }
 
     #[test]
+    fn a_point_is_the_mean_of_its_pictures() {
+        let sums = Sums { pictures: 2, seconds: Some(0.5), squares: 0.5, flips: 0.5, camera: 24, rays: 48 };
+        let point = Point { rays_per_pixel: 1.0, rays: 24.0, seconds: 0.5, rmse: 0.5, flip: 0.25 };
+        assert_eq!(sums.point(12.0), point);
+    }
+
+    #[test]
     fn points_have_the_rays_that_they_say_and_more_rays_come_nearer() {
         let points = &studied(1).curves[0];
         assert_eq!(points.iter().map(|point| point.rays_per_pixel).collect::<Vec<_>>(), [1.0, 4.0, 16.0, 64.0]);
