@@ -105,7 +105,11 @@ impl TriangleProbe {
         let size = along_b.abs().max_element() * along_c.abs().max_element();
         let is_edge_on = facing.abs() < EDGE_ON * size * self.direction.z.abs();
         let is_in_doubt = is_edge_on | (weights[0] == 0.0) | (weights[1] == 0.0) | (weights[2] == 0.0);
-        if is_in_doubt { self.cut_to_box(seen, t) } else { Some(t) }
+        if !is_in_doubt {
+            return Some(t);
+        }
+        // Corners in a row: the weights are rounding noise, and there is no surface to leave.
+        if normal == DVec3::ZERO { None } else { self.cut_to_box(seen, t) }
     }
 
     /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
