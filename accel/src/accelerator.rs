@@ -9,9 +9,18 @@ pub trait Accelerator: Send + Sync {
     fn any(&self, ray: &Ray, within: Interval) -> bool;
 
     /// The nearest hit of each ray, anywhere in front of it; `hits` is as long as `rays`.
+    ///
+    /// Rays that lie near each other should stand near each other: of a picture, tiles of 4 x 4 pixels, not rows.
     fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         for (ray, hit) in rays.iter().zip(hits) {
             *hit = self.closest(ray, Interval::FORWARD);
+        }
+    }
+
+    /// Whether each ray has any hit strictly within the interval; `found` is as long as `rays`.
+    fn any_many(&self, rays: &[Ray], within: Interval, found: &mut [bool]) {
+        for (ray, found) in rays.iter().zip(found) {
+            *found = self.any(ray, within);
         }
     }
 

@@ -5,8 +5,10 @@ mod build;
 mod cells;
 mod collapse;
 mod decide;
+mod interleave;
 mod layout;
 mod morton;
+mod packet;
 mod simd;
 mod traverse;
 mod triangles;
@@ -147,6 +149,54 @@ impl<I: Isa + Send + Sync + 'static> Wide<I, Exact> {
     }
 }
 
+impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
+    /// In packets where rays go the same way, else in turn; what is left over, and what is not ordinary, alone.
+    #[inline(always)]
+    fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        let Self { isa, tree, primitives, .. } = self;
+        for (rays, hits) in rays.chunks(packet::RAYS).zip(hits.chunks_mut(packet::RAYS)) {
+            if let Ok(rays) = rays.try_into()
+                && packet::closest::<I, D>(*isa, tree, primitives, rays, hits)
+            {
+                continue;
+            }
+            for (rays, hits) in rays.chunks(interleave::RAYS).zip(hits.chunks_mut(interleave::RAYS)) {
+                match rays.try_into() {
+                    Ok(rays) if rays_are_ordinary(rays) => {
+                        interleave::closest::<I, D>(*isa, tree, primitives, rays, hits);
+                    }
+                    _ => {
+                        for (ray, hit) in rays.iter().zip(hits) {
+                            *hit = self.closest(ray, Interval::FORWARD);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn any_many(&self, rays: &[Ray], within: Interval, found: &mut [bool]) {
+        let Self { isa, tree, primitives, .. } = self;
+        for (rays, found) in rays.chunks(packet::RAYS).zip(found.chunks_mut(packet::RAYS)) {
+            let together = match rays.try_into() {
+                Ok(rays) => packet::any::<I, D>(*isa, tree, primitives, rays, within),
+                Err(_) => None,
+            };
+            for (number, (ray, found)) in rays.iter().zip(found).enumerate() {
+                *found = match together {
+                    Some(met) => met >> number & 1 == 1,
+                    None => self.any(ray, within),
+                };
+            }
+        }
+    }
+}
+
+fn rays_are_ordinary(rays: &[Ray; interleave::RAYS]) -> bool {
+    rays.iter().all(is_ordinary)
+}
+
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         if !is_ordinary(ray) {
@@ -166,6 +216,20 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
             #[inline(always)]
             || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
         )
+    }
+
+    fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.isa.vectorize(
+            #[inline(always)]
+            || self.closest_many(rays, hits),
+        );
+    }
+
+    fn any_many(&self, rays: &[Ray], within: Interval, found: &mut [bool]) {
+        self.isa.vectorize(
+            #[inline(always)]
+            || self.any_many(rays, within, found),
+        );
     }
 
     fn statistics(&self) -> Statistics {

@@ -61,7 +61,7 @@ impl Effort {
             count_instructions: true,
             picture: [1050, 315],
             picture_aa: 1,
-            image_width: 48,
+            image_width: 64,
         }
     }
 
@@ -95,7 +95,7 @@ pub(crate) fn report(
     progress: Progress,
 ) -> Result<Report, Failure> {
     let counted = if effort.count_instructions { instructions::steps(&modules.kernels) } else { 0 };
-    let images = images::steps(modules, scenes);
+    let images = images::steps(scenes);
     let total = counted + speed::steps() + sweeps::steps() + new_rays::STEPS + images + pictures::STEPS;
     let steps = Steps::start(total, progress);
     let counts = if effort.count_instructions {

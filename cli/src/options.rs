@@ -67,8 +67,8 @@ pub(crate) struct RenderOptions {
     #[arg(long, value_name = "N[,SPACING]", num_args = 0..=1, require_equals = true, default_missing_value = "3,0.1",
           value_parser = parse_soft_shadows)]
     soft_shadows: Option<SoftShadows>,
-    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: so many that a pixel's rays together ask
-    /// about all. [default: shared]
+    /// How many lights of each such cube a ray asks at a point: `all`, a number, or `shared`: all at up to four rays a pixel, and
+    /// for more so many that they together ask each four times. [default: shared]
     #[arg(long, value_name = "N", value_parser = parse_light_samples)]
     light_samples: Option<LightSamples>,
     /// Render only this part of the picture: its left column, top row, width and height in pixels.
@@ -127,7 +127,7 @@ enum NaiveKernel {
     Triangle,
     /// Rays nearly parallel to a plane miss it.
     Plane,
-    /// The slab test without care for zeros and rounding.
+    /// The slab test without care for zeros and rounding, in the plain octree.
     Box,
     /// Shadow rays and others start 0.0001 off the surface.
     Offset,
@@ -153,7 +153,12 @@ impl NaiveKernel {
             Self::Offset | Self::All => naive::offset_along_normal,
             _ => modules.ray_origin,
         };
-        Modules { kernels, ray_origin, ..modules }
+        // The wide octree packs its boxes and has a test of its own for them.
+        let accelerator = match self {
+            Self::Box | Self::All => accel::octree,
+            _ => modules.accelerator,
+        };
+        Modules { kernels, ray_origin, accelerator, ..modules }
     }
 }
 
@@ -188,6 +193,7 @@ impl RenderOptions {
             None | Some(LightingName::Report) => modules,
             Some(LightingName::Sunflow) => modules.lit_as_by_sunflow(),
         };
+        let modules = self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules));
         let accelerator = match (self.accelerator, self.hits) {
             (None, None) => modules.accelerator,
             (Some(AcceleratorName::None), _) => accel::none,
@@ -201,8 +207,7 @@ impl RenderOptions {
             Some(FalloffName::Log) => shading::logarithmic_falloff,
         };
         let sampler = self.sampler.map_or(modules.sampler, SamplerName::sampler);
-        let modules = Modules { accelerator, falloff, sampler, ..modules };
-        self.naive.iter().fold(modules, |modules, kernel| kernel.put_into(modules))
+        Modules { accelerator, falloff, sampler, ..modules }
     }
 
     /// The light to render with; `soft_shadows` is what the scene itself wants.

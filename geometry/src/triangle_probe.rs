@@ -111,6 +111,7 @@ impl TriangleProbe {
     /// Where the ray meets a triangle that it is known to meet: as [`Self::intersect`], but what has been decided by a coarser test is not
     /// decided again. The weights are cut to the triangle. `None` if the ray is beside the triangle's box after all.
     #[inline(always)]
+    #[expect(clippy::manual_clamp, reason = "`clamp` would keep a NaN")]
     pub fn locate(&self, corners: [Vec3; 3]) -> Option<Intersection> {
         let corners = corners.map(|corner| corner.as_dvec3());
         let seen = corners.map(|corner| corner - self.origin);

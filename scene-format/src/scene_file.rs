@@ -33,6 +33,7 @@ pub struct SceneFile {
 
 /// One top-level statement.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them beside the numbers that they hold in vectors")]
 pub enum Statement {
     /// `image { ... }`
     Image(Image),

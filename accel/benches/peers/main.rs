@@ -15,8 +15,10 @@ use geometry::{Interval, Primitives, Ray};
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
     let wanted = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(&**word));
-    println!("| mesh | rays | Embree Mrays/s | robust | exact | watertight |");
-    println!("|---|---|---|---|---|---|");
+    println!(
+        "| mesh | rays | Embree, Mrays/s | robust | packets | exact (to robust) | exact many (to packets) | watertight (to robust) | watertight many (to packets) | differ |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|");
     for (name, make) in meshes::all() {
         if !["primary", "diffuse", "shadow"].iter().any(|kind| wanted(&format!("{name} {kind}"))) {
             continue;
@@ -41,80 +43,121 @@ fn main() {
             statistics.bytes as f64 / f64::from(primitives.len()),
             statistics.depth
         );
-        for (kind, rays) in [("primary", &rays.primary), ("diffuse", &rays.diffuse)] {
+        let within = |kind: &str| if kind == "shadow" { rays::SHADOW } else { Interval::FORWARD };
+        for (kind, rays) in [("primary", &rays.primary), ("shadow", &rays.shadow), ("diffuse", &rays.diffuse)] {
+            let within = within(kind);
+            let is_any = kind == "shadow";
+            // As many as fill their packets.
+            let rays = &rays[..rays.len() / 16 * 16];
+            let single = |accelerator: &dyn Accelerator, rays: &[Ray]| {
+                let mut sum = 0.0;
+                for ray in rays {
+                    sum += if is_any {
+                        f32::from(accelerator.any(ray, within))
+                    } else {
+                        accelerator.closest(ray, within).map_or(0.0, |hit| hit.t)
+                    };
+                }
+                sum
+            };
+            let many = |accelerator: &dyn Accelerator, rays: &[Ray]| {
+                let mut sum = 0.0;
+                let (mut hits, mut found) = ([None; 256], [false; 256]);
+                for rays in rays.chunks(256) {
+                    if is_any {
+                        accelerator.any_many(rays, within, &mut found[..rays.len()]);
+                        sum += found[..rays.len()].iter().map(|&found| f32::from(found)).sum::<f32>();
+                    } else {
+                        accelerator.closest_many(rays, &mut hits[..rays.len()]);
+                        sum += hits[..rays.len()].iter().flatten().map(|hit| hit.t).sum::<f32>();
+                    }
+                }
+                sum
+            };
+            let embree = |embree: &Embree, rays: &[Ray]| {
+                let mut sum = 0.0;
+                for ray in rays {
+                    sum += if is_any {
+                        f32::from(embree.any(ray, within))
+                    } else {
+                        embree.closest(ray).map_or(0.0, |hit| hit.1)
+                    };
+                }
+                sum
+            };
+            let embree_many = |embree: &Embree, rays: &[Ray]| {
+                let mut sum = 0.0;
+                let (mut hits, mut found) = ([None; 16], [false; 16]);
+                for rays in rays.chunks(16) {
+                    if is_any {
+                        embree.any_16(rays, within, &mut found);
+                        sum += found.iter().map(|&found| f32::from(found)).sum::<f32>();
+                    } else {
+                        embree.closest_16(rays, &mut hits);
+                        sum += hits.iter().flatten().map(|hit| hit.1).sum::<f32>();
+                    }
+                }
+                sum
+            };
+            let (exact, watertight) = (&*exact, &*watertight);
+            let contestants: [&dyn Fn(&[Ray]) -> f32; 7] = [
+                &|rays| embree(&default, rays),
+                &|rays| embree(&robust, rays),
+                &|rays| embree_many(&default, rays),
+                &|rays| single(exact, rays),
+                &|rays| many(exact, rays),
+                &|rays| single(watertight, rays),
+                &|rays| many(watertight, rays),
+            ];
+            if !wanted(&format!("{name} {kind}")) {
+                continue;
+            }
             let different = rays.iter().filter(|ray| {
-                exact.closest(ray, Interval::FORWARD).map(|hit| hit.primitive) != robust.closest(ray).map(|hit| hit.0)
+                if is_any {
+                    exact.any(ray, within) != robust.any(ray, within)
+                } else {
+                    exact.closest(ray, within).map(|hit| hit.primitive) != robust.closest(ray).map(|hit| hit.0)
+                }
             });
             let different = different.count();
-            let closest = |ray: &Ray| exact.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
-            let closest_w = |ray: &Ray| watertight.closest(ray, Interval::FORWARD).map_or(0.0, |hit| hit.t);
-            let others =
-                [&default, &robust].map(|embree| move |ray: &Ray| embree.closest(ray).map_or(0.0, |hit| hit.1));
-            report(
-                wanted(&format!("{name} {kind}")),
-                name,
-                kind,
-                rays,
-                &[&others[0], &others[1], &closest, &closest_w],
-                different,
+            let times = times(rays, &contestants);
+            let over = |a: usize, b: usize| times[a] / times[b];
+            println!(
+                "| {name} | {kind} | {:.1} | {:.2} | {:.2} | {:.2} ({:.2}) | {:.2} ({:.2}) | {:.2} ({:.2}) | {:.2} ({:.2}) | {different} |",
+                rays.len() as f64 / times[0] / 1e6,
+                over(0, 1),
+                over(0, 2),
+                over(0, 3),
+                over(1, 3),
+                over(0, 4),
+                over(2, 4),
+                over(0, 5),
+                over(1, 5),
+                over(0, 6),
+                over(2, 6),
             );
         }
-        let different =
-            rays.shadow.iter().filter(|ray| exact.any(ray, rays::SHADOW) != robust.any(ray, rays::SHADOW)).count();
-        let any = |ray: &Ray| f32::from(exact.any(ray, rays::SHADOW));
-        let any_w = |ray: &Ray| f32::from(watertight.any(ray, rays::SHADOW));
-        let others = [&default, &robust].map(|embree| move |ray: &Ray| f32::from(embree.any(ray, rays::SHADOW)));
-        report(
-            wanted(&format!("{name} shadow")),
-            name,
-            "shadow",
-            &rays.shadow,
-            &[&others[0], &others[1], &any, &any_w],
-            different,
-        );
     }
 }
 
-/// Rays that one contestant traces before the next has its turn: a few milliseconds.
+/// Rays that one contestant traces before the next has its turn: a millisecond.
 const TURN: usize = 1 << 12;
-const ROUNDS: usize = 15;
+const ROUNDS: usize = 7;
 
-fn report(wanted: bool, name: &str, kind: &str, rays: &[Ray], contestants: &[&dyn Fn(&Ray) -> f32], different: usize) {
-    if !wanted {
-        return;
-    }
-    let times = times(rays, contestants);
-    let ratio = |a: usize, b: usize| times[a] / times[b];
-    let speed = rays.len() as f64 / times[0] / 1e6;
-    println!(
-        "| {name} | {kind} | {speed:.2} | {:.2} | {:.2} ({:.2}) | {:.2} ({:.2}) | {different} differ",
-        ratio(0, 1),
-        ratio(0, 2),
-        ratio(1, 2),
-        ratio(0, 3),
-        ratio(1, 3)
-    );
-}
-
-/// The time of each contestant: for every turn the median of some rounds.
-fn times(rays: &[Ray], contestants: &[&dyn Fn(&Ray) -> f32]) -> Vec<f64> {
+/// The time of each contestant: for every turn the least disturbed of some rounds.
+fn times(rays: &[Ray], contestants: &[&dyn Fn(&[Ray]) -> f32]) -> Vec<f64> {
     let mut totals = vec![0.0; contestants.len()];
     for turn in rays.chunks(TURN) {
-        let mut rounds = vec![[0.0; ROUNDS]; contestants.len()];
-        for round in 0..ROUNDS {
-            for (contestant, times) in contestants.iter().zip(&mut rounds) {
+        let mut least = vec![f64::INFINITY; contestants.len()];
+        for _ in 0..ROUNDS {
+            for (contestant, least) in contestants.iter().zip(&mut least) {
                 let start = Instant::now();
-                let mut sum = 0.0;
-                for ray in turn {
-                    sum += contestant(ray);
-                }
-                black_box(sum);
-                times[round] = start.elapsed().as_secs_f64();
+                black_box(contestant(turn));
+                *least = least.min(start.elapsed().as_secs_f64());
             }
         }
-        for (total, mut times) in totals.iter_mut().zip(rounds) {
-            times.sort_by(f64::total_cmp);
-            *total += times[0];
+        for (total, least) in totals.iter_mut().zip(least) {
+            *total += least;
         }
     }
     totals

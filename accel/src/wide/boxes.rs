@@ -25,39 +25,68 @@ use super::{
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-64 of the largest: that
 /// moves the ray by 2^-64 R inside the tree. [`super::is_ordinary`] has seen to it that nothing overflows to a NaN.
-pub(super) struct BoxLanes<I: Isa> {
-    near_origin: [I::F32; 3],
-    far_origin: [I::F32; 3],
-    inverse: [I::F32; 3],
+pub(super) struct BoxRay {
+    /// Of the near planes and of the far ones: the origin, moved, times `i`.
+    pub(super) near: [f32; 3],
+    pub(super) far: [f32; 3],
+    /// The origin, moved.
+    pub(super) near_origin: [f32; 3],
+    pub(super) far_origin: [f32; 3],
+    pub(super) inverse: [f32; 3],
     /// For each axis which planes are near: 0 the lower ones, 1 the upper.
-    near: [usize; 3],
-    min: I::F32,
+    pub(super) sides: [usize; 3],
 }
 
 /// Of a sum of coordinates, the slack that every box has.
 const SLACK: f32 = 8.0 * f32::EPSILON;
 
-impl<I: Isa> BoxLanes<I> {
+impl BoxRay {
     #[inline(always)]
-    pub(super) fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
+    pub(super) fn new(ray: &Ray, magnitude: f32) -> Self {
         const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let direction = ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
+        let inverse = direction.map(|d| 1.0 / d);
         let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
         let forward = slack.copysign(direction.into());
-        let inverse = direction.map(|d| 1.0 / d);
+        let (near_origin, far_origin) = (ray.origin + forward, ray.origin - forward);
         Self {
-            near_origin: splat(isa, ((ray.origin + forward) * Vec3::from(inverse)).to_array()),
-            far_origin: splat(isa, ((ray.origin - forward) * Vec3::from(inverse)).to_array()),
-            inverse: splat(isa, inverse),
-            near: direction.map(|d| usize::from(d < 0.0)),
-            min: I::F32::splat(isa, min),
+            near: (near_origin * Vec3::from(inverse)).to_array(),
+            far: (far_origin * Vec3::from(inverse)).to_array(),
+            near_origin: near_origin.to_array(),
+            far_origin: far_origin.to_array(),
+            inverse,
+            sides: direction.map(|d| usize::from(d < 0.0)),
         }
     }
 
+    /// The same for all lanes.
+    #[inline(always)]
+    pub(super) fn lanes<I: Isa>(&self, isa: I, min: f32) -> BoxLanes<I> {
+        BoxLanes {
+            near: splat(isa, self.near),
+            far: splat(isa, self.far),
+            inverse: splat(isa, self.inverse),
+            sides: self.sides,
+            min: I::F32::splat(isa, min),
+        }
+    }
+}
+
+/// A [`BoxRay`], each number in all lanes.
+pub(super) struct BoxLanes<I: Isa> {
+    pub(super) near: [I::F32; 3],
+    pub(super) far: [I::F32; 3],
+    pub(super) inverse: [I::F32; 3],
+    pub(super) sides: [usize; 3],
+    pub(super) min: I::F32,
+}
+
+impl<I: Isa> BoxLanes<I> {
     /// Where the ray enters each box, and a bit for each box that it meets before `limit`.
     #[inline(always)]
-    pub(super) fn meet(&self, isa: I, node: &Node, limit: I::F32) -> (I::F32, u32) {
+    pub(super) fn meet(&self, isa: I, node: &Node, limit: f32) -> (I::F32, u32) {
+        let limit = I::F32::splat(isa, limit);
         let enters = self.enter(isa, node, 0).max(self.enter(isa, node, 1)).max(self.enter(isa, node, 2).max(self.min));
         let leaves = self.leave(isa, node, 0).min(self.leave(isa, node, 1)).min(self.leave(isa, node, 2).min(limit));
         (enters, enters.le(leaves))
@@ -65,13 +94,13 @@ impl<I: Isa> BoxLanes<I> {
 
     #[inline(always)]
     fn enter(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
-        let near = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1]);
-        near.times_less(self.inverse[axis], self.near_origin[axis])
+        let near = I::F32::load(isa, &node.planes[axis][self.sides[axis] & 1]);
+        near.times_less(self.inverse[axis], self.near[axis])
     }
 
     #[inline(always)]
     fn leave(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
-        let far = I::F32::load(isa, &node.planes[axis][self.near[axis] & 1 ^ 1]);
-        far.times_less(self.inverse[axis], self.far_origin[axis])
+        let far = I::F32::load(isa, &node.planes[axis][self.sides[axis] & 1 ^ 1]);
+        far.times_less(self.inverse[axis], self.far[axis])
     }
 }

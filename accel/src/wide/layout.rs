@@ -1,6 +1,7 @@
 //! What is traversed: wide nodes and blocks of triangles, each laid out for one step of eight lanes.
 
 use geometry::Aabb;
+use glam::Vec3;
 
 /// A cut of the octree: eight boxes side by side, and what is in each.
 ///
@@ -37,6 +38,13 @@ pub(super) struct Block {
 }
 
 impl Block {
+    /// The corners of one of its triangles, their axes in an order.
+    #[inline(always)]
+    pub(super) fn corners_at(&self, lane: usize, [x, y, z]: [usize; 3]) -> [Vec3; 3] {
+        let corner = |rows: &[[f32; 8]; 3]| Vec3::new(rows[x][lane & 7], rows[y][lane & 7], rows[z][lane & 7]);
+        [corner(&self.corners[0]), corner(&self.corners[1]), corner(&self.corners[2])]
+    }
+
     pub(super) const EMPTY: Self = Self { corners: [[[f32::NAN; 8]; 3]; 3], primitives: [u32::MAX; 8] };
 }
 

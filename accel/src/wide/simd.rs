@@ -37,6 +37,9 @@ pub(super) trait Isa: Copy {
     /// Eight `f32`.
     type F32: Lanes<Self>;
 
+    /// Asks for a value's first cache lines, if the processor can: it will be wanted soon.
+    fn fetch<T>(self, value: &T);
+
     /// Runs code compiled for the instruction set. What it calls must be `#[inline(always)]` to be compiled with it.
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }

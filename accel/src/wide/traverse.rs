@@ -1,30 +1,28 @@
 //! One ray through the tree.
 
-use std::marker::PhantomData;
-
 use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
-    boxes::BoxLanes,
-    decide::Decide,
+    boxes::{BoxLanes, BoxRay},
+    decide::{Aimed, Decide, Nearest},
     layout::{Block, Link, Linked, Mixed},
     simd::{Isa, Lanes, Stack},
-    triangles::TriangleLanes,
+    triangles::TriangleRay,
 };
 use crate::none::closest_of;
 
 /// A node or leaf still to visit, and where the ray enters its box: the distance in the upper half, so that the entries of a node can be
 /// ordered as whole numbers. (Distances below 0 come in the wrong order; the order only saves time.)
-type Pending = u64;
+pub(super) type Pending = u64;
 
 #[inline(always)]
-fn pending(distance: f32, link: Link) -> Pending {
+pub(super) fn pending(distance: f32, link: Link) -> Pending {
     u64::from(distance.to_bits()) << 32 | u64::from(link.bits())
 }
 
 #[inline(always)]
-fn distance(pending: Pending) -> f32 {
+pub(super) fn distance(pending: Pending) -> f32 {
     f32::from_bits((pending >> 32) as u32)
 }
 
@@ -38,48 +36,28 @@ pub(super) fn closest<I: Isa, D: Decide>(
     within: Interval,
 ) -> Option<Hit> {
     let probe = TriangleProbe::new(ray);
-    let mut walk = Walk::<I, D>::new(isa, tree, primitives, ray, &probe, within);
+    let mut walk = Walk::new(isa, tree, primitives, ray, &probe, within);
     let mut stack = Stack::new();
     let mut link = tree.root;
-    loop {
-        if link.is_node() {
-            if let Some(nearest) = walk.node(link, &mut stack) {
-                link = nearest;
-                continue;
-            }
-        } else {
-            walk.leaf(link);
-        }
-        match walk.pop(&mut stack) {
-            Some(next) => link = next,
-            None => return D::finish(&walk),
-        }
+    while let Some(next) = walk.step::<D>(link, &mut stack) {
+        link = next;
     }
+    D::finish(within, &probe, &walk.nearest)
 }
 
 /// A ray on its way to its nearest hit.
-pub(super) struct Walk<'a, I: Isa, D> {
-    pub(super) isa: I,
+pub(super) struct Walk<'a, I: Isa> {
     tree: &'a Tree,
     primitives: &'a Primitives,
     ray: &'a Ray,
-    pub(super) within: Interval,
-    pub(super) probe: &'a TriangleProbe,
     boxes: BoxLanes<I>,
-    pub(super) triangles: TriangleLanes<I>,
-    pub(super) nearest: Option<Hit>,
-    /// Where it stands, if in a block: for who has still to look closer.
-    pub(super) place: Option<(&'a Block, usize)>,
-    /// Where the nearest hit is, or the interval ends; in three forms.
-    limit: f32,
-    pub(super) box_limit: I::F32,
-    pub(super) depth_limit: I::F32,
-    decide: PhantomData<D>,
+    aimed: Aimed<'a, I>,
+    pub(super) nearest: Nearest<'a>,
 }
 
-impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
+impl<'a, I: Isa> Walk<'a, I> {
     #[inline(always)]
-    fn new(
+    pub(super) fn new(
         isa: I,
         tree: &'a Tree,
         primitives: &'a Primitives,
@@ -87,22 +65,18 @@ impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
         probe: &'a TriangleProbe,
         within: Interval,
     ) -> Self {
-        let triangles = TriangleLanes::new(isa, ray, probe, within.min, tree.magnitude);
         let mut walk = Self {
-            isa,
             tree,
             primitives,
             ray,
-            within,
-            boxes: BoxLanes::new(isa, ray, within.min, tree.magnitude),
-            nearest: None,
-            place: None,
-            decide: PhantomData,
-            limit: within.max,
-            box_limit: I::F32::splat(isa, within.max),
-            depth_limit: triangles.limit(isa, within.max),
-            probe,
-            triangles,
+            boxes: BoxRay::new(ray, tree.magnitude).lanes(isa, within.min),
+            aimed: Aimed {
+                isa,
+                within,
+                probe,
+                triangles: TriangleRay::new(ray, probe, within.min, tree.magnitude).lanes(isa),
+            },
+            nearest: Nearest::none(within),
         };
         if !tree.beside.is_empty() {
             walk.ask(&tree.beside);
@@ -110,11 +84,24 @@ impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
         walk
     }
 
+    /// Visits a node or a leaf; returns what to visit next, if anything.
+    #[inline(always)]
+    pub(super) fn step<D: Decide>(&mut self, link: Link, stack: &mut Stack<Pending>) -> Option<Link> {
+        if link.is_node() {
+            if let Some(nearest) = self.node(link, stack) {
+                return Some(nearest);
+            }
+        } else {
+            self.leaf::<D>(link);
+        }
+        self.pop(stack)
+    }
+
     /// Visits a node: the nearest of the links that the ray meets, if any; the others wait on the stack, the farthest lowest.
     #[inline(always)]
     fn node(&mut self, link: Link, stack: &mut Stack<Pending>) -> Option<Link> {
         let node = &self.tree.nodes[link.bits() as usize];
-        let (enters, mut met) = self.boxes.meet(self.isa, node, self.box_limit);
+        let (enters, mut met) = self.boxes.meet(self.aimed.isa, node, self.nearest.limit);
         if met == 0 {
             return None;
         }
@@ -147,48 +134,36 @@ impl<'a, I: Isa, D: Decide> Walk<'a, I, D> {
         loop {
             let next = stack.pop()?;
             // A hit at just this distance may still have a lower number.
-            if distance(next) <= self.limit {
+            if distance(next) <= self.nearest.limit {
                 return Some(Link::from_bits(next as u32));
             }
         }
     }
 
     #[inline(always)]
-    fn leaf(&mut self, link: Link) {
+    fn leaf<D: Decide>(&mut self, link: Link) {
         let (blocks, asked) = self.tree.leaf(link);
         for block in blocks {
-            D::block(self, block);
+            D::block(&self.aimed, block, &mut self.nearest);
         }
         if !asked.is_empty() {
             self.ask(asked);
         }
     }
 
-    /// A hit, if it comes before the nearest so far.
-    #[inline(always)]
-    pub(super) fn found(&mut self, hit: Hit, place: Option<(&'a Block, usize)>) {
-        if self.nearest.is_some_and(|nearest| !hit.is_before(nearest)) {
-            return;
-        }
-        self.nearest = Some(hit);
-        self.place = place;
-        self.limit = hit.t;
-        self.box_limit = I::F32::splat(self.isa, hit.t);
-        self.depth_limit = self.triangles.limit(self.isa, hit.t);
-    }
-
     /// Asks primitives one by one.
     #[inline(always)]
     fn ask(&mut self, numbers: &[u32]) {
-        if let Some(hit) = nearest_of(self.primitives, numbers, self.ray, self.within, self.nearest) {
-            self.found(hit, None);
+        let nearest = nearest_of(self.primitives, numbers, self.ray, self.aimed.within, self.nearest.hit);
+        if let Some(hit) = nearest {
+            self.nearest.take(hit, None);
         }
     }
 }
 
 /// A call of its own, so that what is asked one by one does not take the registers of the rest.
 #[inline(never)]
-fn nearest_of(
+pub(super) fn nearest_of(
     primitives: &Primitives,
     numbers: &[u32],
     ray: &Ray,
@@ -200,7 +175,7 @@ fn nearest_of(
 
 /// Moves the last entry down to its place: the nearest last.
 #[inline(always)]
-fn sink(entries: &mut [Pending]) {
+pub(super) fn sink(entries: &mut [Pending]) {
     let mut place = entries.len() - 1;
     while place > 0 && entries[place - 1] < entries[place] {
         entries.swap(place - 1, place);
@@ -217,76 +192,67 @@ pub(super) fn any<I: Isa, D: Decide>(
     ray: &Ray,
     within: Interval,
 ) -> bool {
-    let search =
-        Search::<I, D> { decide: PhantomData, isa, tree, primitives, ray, within, probe: TriangleProbe::new(ray) };
-    search.run()
-}
-
-/// A ray that looks for anything in its way.
-pub(super) struct Search<'a, I: Isa, D> {
-    pub(super) isa: I,
-    tree: &'a Tree,
-    primitives: &'a Primitives,
-    ray: &'a Ray,
-    pub(super) within: Interval,
-    pub(super) probe: TriangleProbe,
-    decide: PhantomData<D>,
-}
-
-impl<I: Isa, D: Decide> Search<'_, I, D> {
-    #[inline(always)]
-    fn run(&self) -> bool {
-        if !self.tree.beside.is_empty() && self.ask(&self.tree.beside) {
-            return true;
-        }
-        let boxes = BoxLanes::new(self.isa, self.ray, self.within.min, self.tree.magnitude);
-        let triangles = TriangleLanes::new(self.isa, self.ray, &self.probe, self.within.min, self.tree.magnitude);
-        let box_limit = I::F32::splat(self.isa, self.within.max);
-        let depth_limit = triangles.limit(self.isa, self.within.max);
-        let mut stack = Stack::<Link>::new();
-        let mut link = self.tree.root;
-        loop {
-            while link.is_node() {
-                let node = &self.tree.nodes[link.bits() as usize];
-                let (_, mut met) = boxes.meet(self.isa, node, box_limit);
-                if met == 0 {
-                    break;
-                }
-                link = node.links[met.trailing_zeros() as usize & 7];
-                met &= met - 1;
-                while met != 0 {
-                    stack.push(node.links[met.trailing_zeros() as usize & 7]);
-                    met &= met - 1;
-                }
+    if !tree.beside.is_empty() && any_of(primitives, &tree.beside, ray, within) {
+        return true;
+    }
+    let probe = &TriangleProbe::new(ray);
+    let boxes = BoxRay::new(ray, tree.magnitude).lanes(isa, within.min);
+    let triangles = TriangleRay::new(ray, probe, within.min, tree.magnitude).lanes(isa);
+    let aimed = Aimed { isa, within, probe, triangles };
+    let mut stack = Stack::<Link>::new();
+    let mut link = tree.root;
+    loop {
+        while link.is_node() {
+            let node = &tree.nodes[link.bits() as usize];
+            let (_, mut met) = boxes.meet(isa, node, within.max);
+            if met == 0 {
+                break;
             }
-            if !link.is_node() {
-                let (blocks, asked) = self.tree.leaf(link);
-                for block in blocks {
-                    if D::is_met(self, &triangles, block, box_limit, depth_limit) {
-                        return true;
-                    }
-                }
-                if !asked.is_empty() && self.ask(asked) {
+            link = node.links[met.trailing_zeros() as usize & 7];
+            met &= met - 1;
+            while met != 0 {
+                stack.push(node.links[met.trailing_zeros() as usize & 7]);
+                met &= met - 1;
+            }
+        }
+        if !link.is_node() {
+            let (blocks, asked) = tree.leaf(link);
+            for block in blocks {
+                if D::is_met(&aimed, block) {
                     return true;
                 }
             }
-            match stack.pop() {
-                Some(next) => link = next,
-                None => return false,
+            if !asked.is_empty() && any_of(primitives, asked, ray, within) {
+                return true;
             }
         }
-    }
-
-    #[inline(never)]
-    fn ask(&self, numbers: &[u32]) -> bool {
-        numbers.iter().any(|&number| self.primitives.intersect(number, self.ray, self.within).is_some())
+        match stack.pop() {
+            Some(next) => link = next,
+            None => return false,
+        }
     }
 }
 
+/// A call of its own, as [`nearest_of`].
+#[inline(never)]
+pub(super) fn any_of(primitives: &Primitives, numbers: &[u32], ray: &Ray, within: Interval) -> bool {
+    numbers.iter().any(|&number| primitives.intersect(number, ray, within).is_some())
+}
+
 impl Tree {
+    /// Asks for a link's memory.
+    #[inline(always)]
+    pub(super) fn fetch<I: Isa>(&self, isa: I, link: Link) {
+        match link.linked() {
+            Linked::Node(index) => isa.fetch(&self.nodes[index as usize]),
+            Linked::Blocks { first, .. } => isa.fetch(&self.blocks[first as usize]),
+            Linked::Mixed(_) => {}
+        }
+    }
+
     /// The blocks of a leaf, and what is asked one by one.
     #[inline(always)]
-    fn leaf(&self, link: Link) -> (&[Block], &[u32]) {
+    pub(super) fn leaf(&self, link: Link) -> (&[Block], &[u32]) {
         match link.linked() {
             Linked::Node(_) => (&[], &[]),
             Linked::Blocks { first, count } => (&self.blocks[first as usize..(first + count) as usize], &[]),

@@ -41,22 +41,22 @@ use super::{
 /// The depths: the probe's `t` lies between the least and the greatest of the corners' `z / dz` but for `u R / 8 dz`, and is then rounded
 /// to `f32`. Here these are rounded three times. So nothing is lost that starts before `limit + 6u R / dz` and does not
 /// end before `min - 6u R / dz`.
-pub(super) struct TriangleLanes<I: Isa> {
+pub(super) struct TriangleRay {
     axes: [usize; 3],
-    origin: [I::F32; 3],
-    shear: [I::F32; 2],
+    origin: [f32; 3],
+    shear: [f32; 2],
     /// 1 / dz.
-    per_depth: I::F32,
+    per_depth: f32,
     /// `k` and `q` of the bound.
-    bound: [I::F32; 2],
-    min: I::F32,
+    bound: [f32; 2],
+    min: f32,
     /// 6u R / dz.
     depth_slack: f32,
 }
 
-impl<I: Isa> TriangleLanes<I> {
+impl TriangleRay {
     #[inline(always)]
-    pub(super) fn new(isa: I, ray: &Ray, probe: &TriangleProbe, min: f32, magnitude: f32) -> Self {
+    pub(super) fn new(ray: &Ray, probe: &TriangleProbe, min: f32, magnitude: f32) -> Self {
         const ROUNDOFF: f32 = 0.5 * f32::EPSILON;
         const UNDERFLOW: f32 = 1.0 / (1_u128 << 120) as f32;
         let reach = ROUNDOFF * (ray.origin.abs().max_element() + magnitude);
@@ -65,24 +65,46 @@ impl<I: Isa> TriangleLanes<I> {
         let depth_slack = 6.0 * reach * per_depth.abs();
         Self {
             axes: probe.axes(),
-            origin: splat(isa, origin.to_array()),
-            shear: [I::F32::splat(isa, direction.x * per_depth), I::F32::splat(isa, direction.y * per_depth)],
-            per_depth: I::F32::splat(isa, per_depth),
-            bound: [I::F32::splat(isa, 44.0 * reach), I::F32::splat(isa, 160.0 * reach * reach + UNDERFLOW)],
-            min: I::F32::splat(isa, min - depth_slack),
+            origin: origin.to_array(),
+            shear: [direction.x * per_depth, direction.y * per_depth],
+            per_depth,
+            bound: [44.0 * reach, 160.0 * reach * reach + UNDERFLOW],
+            min: min - depth_slack,
             depth_slack,
         }
     }
 
-    /// What [`Self::candidates`] wants to know of the nearest hit so far.
+    /// The same for all lanes.
     #[inline(always)]
-    pub(super) fn limit(&self, isa: I, nearest: f32) -> I::F32 {
-        I::F32::splat(isa, nearest + self.depth_slack)
+    pub(super) fn lanes<I: Isa>(&self, isa: I) -> TriangleLanes<I> {
+        TriangleLanes {
+            axes: self.axes,
+            origin: splat(isa, self.origin),
+            shear: [I::F32::splat(isa, self.shear[0]), I::F32::splat(isa, self.shear[1])],
+            per_depth: I::F32::splat(isa, self.per_depth),
+            bound: [I::F32::splat(isa, self.bound[0]), I::F32::splat(isa, self.bound[1])],
+            min: I::F32::splat(isa, self.min),
+            depth_slack: self.depth_slack,
+        }
     }
+}
 
-    /// A bit for each triangle that the ray may meet.
+/// A [`TriangleRay`], each number in all lanes.
+pub(super) struct TriangleLanes<I: Isa> {
+    axes: [usize; 3],
+    origin: [I::F32; 3],
+    shear: [I::F32; 2],
+    per_depth: I::F32,
+    bound: [I::F32; 2],
+    min: I::F32,
+    depth_slack: f32,
+}
+
+impl<I: Isa> TriangleLanes<I> {
+    /// A bit for each triangle that the ray may meet no later than its nearest hit so far.
     #[inline(always)]
-    pub(super) fn candidates(&self, isa: I, block: &Block, limit: I::F32) -> u32 {
+    pub(super) fn candidates(&self, isa: I, block: &Block, nearest: f32) -> u32 {
+        let limit = I::F32::splat(isa, nearest + self.depth_slack);
         let [ax, ay, a_depth] = self.projected(isa, &block.corners[0]);
         let [bx, by, b_depth] = self.projected(isa, &block.corners[1]);
         let [cx, cy, c_depth] = self.projected(isa, &block.corners[2]);
@@ -102,7 +124,8 @@ impl<I: Isa> TriangleLanes<I> {
 
     /// A bit for each triangle that `f32` decides the ray meets, and where.
     #[inline(always)]
-    pub(super) fn met(&self, isa: I, block: &Block, min: I::F32, limit: I::F32) -> (u32, I::F32) {
+    pub(super) fn met(&self, isa: I, block: &Block, min: f32, limit: f32) -> (u32, I::F32) {
+        let (min, limit) = (I::F32::splat(isa, min), I::F32::splat(isa, limit));
         let [ax, ay, a_depth] = self.projected(isa, &block.corners[0]);
         let [bx, by, b_depth] = self.projected(isa, &block.corners[1]);
         let [cx, cy, c_depth] = self.projected(isa, &block.corners[2]);
@@ -130,10 +153,6 @@ impl<I: Isa> TriangleLanes<I> {
     /// The corners of one triangle of a block, turned as the probe wants them.
     #[inline(always)]
     pub(super) fn corners(&self, block: &Block, lane: usize) -> [Vec3; 3] {
-        let [x, y, z] = self.axes;
-        std::array::from_fn(|corner| {
-            let rows = &block.corners[corner];
-            Vec3::new(rows[x][lane & 7], rows[y][lane & 7], rows[z][lane & 7])
-        })
+        block.corners_at(lane, self.axes)
     }
 }

@@ -18,8 +18,8 @@ use samplings::{BASE, Sampling, all as samplings};
 use study::Study;
 
 /// Steps of [`figure`].
-pub(crate) fn steps(modules: &Modules, scenes: &[&'static EmbeddedScene]) -> usize {
-    scenes.len() * (1 + samplings(modules).len())
+pub(crate) fn steps(scenes: &[&'static EmbeddedScene]) -> usize {
+    scenes.len() * study::STEPS
 }
 
 pub(crate) fn figure(

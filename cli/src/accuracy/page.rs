@@ -32,7 +32,7 @@ fn section(figure: &Figure) -> String {
         "<section id=\"{}\">\n<h2>{}</h2>\n<p>{}</p>\n{parts}</section>\n",
         figure.id,
         escaped(figure.title),
-        escaped(&figure.caption)
+        prose(&figure.caption)
     )
 }
 
@@ -49,7 +49,7 @@ fn part(part: &Part) -> String {
         Part::Table { headings, rows } => table(headings, rows),
         Part::Legend(keys) => format!("<p class=\"legend\">{}</p>\n", keys.iter().map(key).collect::<String>()),
         Part::Heading(heading) => format!("<h3>{}</h3>\n", escaped(heading)),
-        Part::Text(text) => format!("<p>{}</p>\n", escaped(text)),
+        Part::Text(text) => format!("<p>{}</p>\n", prose(text)),
         Part::Row(parts) => {
             format!("<div class=\"row\">\n{}</div>\n", parts.iter().map(self::part).collect::<String>())
         }
@@ -95,6 +95,13 @@ fn key(key: &Key) -> String {
     )
 }
 
+/// A paragraph's text, in which `backticks` stand around code.
+fn prose(text: &str) -> String {
+    let pieces = escaped(text);
+    let pieces = pieces.split('`').enumerate();
+    pieces.map(|(i, piece)| if i % 2 == 1 { format!("<code>{piece}</code>") } else { piece.to_owned() }).collect()
+}
+
 /// Text as HTML shows it.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -110,12 +117,12 @@ mod tests {
         let figure = Figure {
             id: "one",
             title: "<script>",
-            caption: "a < b & c".to_owned(),
+            caption: "a < b & `c`".to_owned(),
             parts: vec![Part::Text("<img src=x>".to_owned())],
             data: Value::Null,
         };
         let page = page(&[("<b>".to_owned(), "\"".to_owned())], &[figure]);
         assert!(!page.contains("<script") && !page.contains("<img") && !page.contains("<b>"));
-        assert!(page.contains("a &lt; b &amp; c"));
+        assert!(page.contains("a &lt; b &amp; <code>c</code>"));
     }
 }

@@ -24,6 +24,15 @@ impl Isa for Avx2 {
     type F32 = Eight;
 
     #[inline(always)]
+    fn fetch<T>(self, value: &T) {
+        let start = std::ptr::from_ref(value).cast::<i8>();
+        for line in 0..size_of::<T>().div_ceil(64) {
+            // SAFETY: kind 1; a prefetch reads nothing, and of any address.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(64 * line)) };
+        }
+    }
+
+    #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
         #[target_feature(enable = "avx2,bmi1,fma,bmi2,lzcnt,popcnt")]
         fn compiled_for_it<R>(code: impl FnOnce() -> R) -> R {

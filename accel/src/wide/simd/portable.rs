@@ -14,6 +14,9 @@ impl Isa for Portable {
     type F32 = Eight;
 
     #[inline(always)]
+    fn fetch<T>(self, _: &T) {}
+
+    #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
         code()
     }

@@ -48,8 +48,14 @@ fn between(curve: &[Point], known: Measure, wanted: f64, sought: Measure) -> Opt
             Some((libm::log(wanted) - place(from)) / (place(to) - place(from)))
         };
         let share = share.filter(|share| (0.0..=1.0).contains(share))?;
-        let value = libm::exp(libm::log(sought(from)) * (1.0 - share) + libm::log(sought(to)) * share);
-        value.is_finite().then_some(value)
+        let [start, end] = [sought(from), sought(to)];
+        // 0 has no logarithm, but is as good an end as any.
+        Some(match share {
+            _ if start == end => start,
+            0.0 => start,
+            1.0 => end,
+            _ => libm::exp(libm::log(start) * (1.0 - share) + libm::log(end) * share),
+        })
     })
 }
 
@@ -95,13 +101,20 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_read_off_beyond_the_curve_nor_where_the_error_is_0() {
+    fn nothing_is_read_off_beyond_the_curve() {
         let curve = falling(-0.5, 0.5);
         assert_eq!(error_at(&curve, |p| p.seconds, 1.0, |p| p.rmse), None);
         assert_eq!(cost_for(&curve, |p| p.rmse, 0.6, |p| p.rays), None);
         assert_eq!(cost_for(&curve, |p| p.rmse, 0.01, |p| p.rays), None);
-        assert_close(cost_for(&falling(-0.5, 0.0), |p| p.rmse, 0.0, |p| p.rays), 10.0);
-        assert_eq!(error_at(&falling(-0.5, 0.0), |p| p.rays, 20.0, |p| p.rmse), Some(0.0));
+    }
+
+    #[test]
+    fn no_error_at_all_can_be_read_off_too() {
+        let mut curve = falling(-0.5, 0.0);
+        assert_eq!(cost_for(&curve, |p| p.rmse, 0.0, |p| p.rays), Some(10.0));
+        assert_eq!(error_at(&curve, |p| p.rays, 20.0, |p| p.rmse), Some(0.0));
+        curve[0].rmse = 0.5;
+        assert_eq!([10.0, 40.0].map(|cost| error_at(&curve, |p| p.rays, cost, |p| p.rmse)), [Some(0.5), Some(0.0)]);
     }
 
     #[test]

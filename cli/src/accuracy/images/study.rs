@@ -6,7 +6,7 @@ use std::time::Instant;
 use render::{Allotment, Buckets, Film, Modules, Settings, render};
 
 use super::curve::Point;
-use super::samplings::{Sampling, Step};
+use super::samplings::Sampling;
 use crate::input::{ReadyScene, SceneSource};
 use crate::metrics::{PIXELS_PER_DEGREE, flip, rmse};
 use crate::options::RenderOptions;
@@ -36,8 +36,10 @@ pub(crate) struct Study {
     pub(crate) curves: Vec<Vec<Point>>,
 }
 
-/// Measures a scene at a width in pixels. The errors depend on the seed alone. `advance` is called after the reference and after each
-/// sampling.
+/// How often [`study`] tells that it is further.
+pub(crate) const STEPS: usize = 2;
+
+/// Measures a scene at a width in pixels. The errors depend on the seed alone. `advance` is called [`STEPS`] times.
 pub(crate) fn study(
     scene: &'static EmbeddedScene,
     width: u32,
@@ -58,14 +60,24 @@ pub(crate) fn study(
     let size = best.settings.size;
     let reference = Reference::render(&best)?;
     advance();
-    let mut curves = Vec::new();
-    for sampling in samplings {
-        let ready = ready(sampling.sampler)?;
-        let settings = Settings { light_samples: sampling.light_samples, ..ready.settings.clone() };
-        let points = sampling.steps.iter().map(|&step| measure(&ready, &settings, step, &reference));
-        curves.push(points.collect::<Result<Vec<_>, _>>()?);
-        advance();
+    let scenes = samplings.iter().map(|sampling| ready(sampling.sampler)).collect::<Result<Vec<_>, _>>()?;
+    let mut sums: Vec<Vec<Sums>> =
+        samplings.iter().map(|sampling| vec![Sums::default(); sampling.steps.len()]).collect();
+    // One picture of each in turn, so that whatever else the machine does meets all alike.
+    for number in 0..samplings.iter().flat_map(|sampling| &sampling.steps).map(|step| step.pictures).max().unwrap_or(0)
+    {
+        for ((sampling, ready), sums) in samplings.iter().zip(&scenes).zip(&mut sums) {
+            for (step, sums) in sampling.steps.iter().zip(sums).filter(|(step, _)| number < step.pictures) {
+                let settings = step.settings(&ready.settings);
+                let seed = settings.seed.wrapping_add(number);
+                sums.add(ready, &Settings { seed, light_samples: sampling.light_samples, ..settings }, &reference)?;
+            }
+        }
     }
+    advance();
+    let pixels = f64::from(size[0]) * f64::from(size[1]);
+    let curve = |sums: Vec<Sums>| sums.into_iter().map(|sums| sums.point(pixels)).collect();
+    let curves = sums.into_iter().map(curve).collect();
     let reference_rays = 2 * (1 << (2 * REFERENCE_AA)) * REFERENCE_SAMPLES;
     Ok(Study { scene: scene.name, size, reference_rays, reference_error: reference.error, curves })
 }
@@ -99,30 +111,45 @@ impl Reference {
     }
 }
 
-/// A point of a curve.
-fn measure(ready: &ReadyScene, settings: &Settings, step: Step, reference: &Reference) -> Result<Point, Failure> {
-    let mut seconds = f64::INFINITY;
-    let (mut squares, mut flips, mut camera, mut rays) = (0.0, 0.0, 0, 0);
-    for number in 0..step.pictures {
-        let settings = Settings { seed: settings.seed.wrapping_add(number), ..step.settings(settings) };
+/// What the pictures of a point have in all.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    pictures: u32,
+    seconds: Option<f64>,
+    squares: f64,
+    flips: f64,
+    camera: u64,
+    rays: u64,
+}
+
+impl Sums {
+    /// Renders one more.
+    fn add(&mut self, ready: &ReadyScene, settings: &Settings, reference: &Reference) -> Result<(), Failure> {
         let start = Instant::now();
-        let film = picture(ready, &settings)?;
-        seconds = start.elapsed().as_secs_f64().min(seconds);
+        let film = picture(ready, settings)?;
+        let seconds = start.elapsed().as_secs_f64();
         let error = rmse(&reference.film, &film).map_err(not_compared)?;
-        squares += error * error;
-        flips += flip(&reference.film, &film, PIXELS_PER_DEGREE).map_err(not_compared)?.mean();
-        camera += film.rays.camera;
-        rays += film.rays.total();
+        let flip = flip(&reference.film, &film, PIXELS_PER_DEGREE).map_err(not_compared)?;
+        self.pictures += 1;
+        self.seconds = Some(self.seconds.map_or(seconds, |least| least.min(seconds)));
+        self.squares += error * error;
+        self.flips += flip.mean();
+        self.camera += film.rays.camera;
+        self.rays += film.rays.total();
+        Ok(())
     }
-    let [width, height] = settings.size.map(f64::from);
-    let pictures = f64::from(step.pictures);
-    Ok(Point {
-        rays_per_pixel: camera as f64 / pictures / (width * height),
-        rays: rays as f64 / pictures,
-        seconds,
-        rmse: (squares / pictures).sqrt(),
-        flip: flips / pictures,
-    })
+
+    /// Of a picture of so many pixels.
+    fn point(self, pixels: f64) -> Point {
+        let pictures = f64::from(self.pictures);
+        Point {
+            rays_per_pixel: self.camera as f64 / pictures / pixels,
+            rays: self.rays as f64 / pictures,
+            seconds: self.seconds.unwrap_or(f64::NAN),
+            rmse: (self.squares / pictures).sqrt(),
+            flip: self.flips / pictures,
+        }
+    }
 }
 
 fn picture(ready: &ReadyScene, settings: &Settings) -> Result<Film, Failure> {
@@ -162,6 +189,13 @@ mod tests {
         for point in &curves[0] {
             assert!(reference_error < point.rmse / 3.0, "{reference_error}, {point:?}");
         }
+    }
+
+    #[test]
+    fn a_point_is_the_mean_of_its_pictures() {
+        let sums = Sums { pictures: 2, seconds: Some(0.5), squares: 0.5, flips: 0.5, camera: 24, rays: 48 };
+        let point = Point { rays_per_pixel: 1.0, rays: 24.0, seconds: 0.5, rmse: 0.5, flip: 0.25 };
+        assert_eq!(sums.point(12.0), point);
     }
 
     #[test]

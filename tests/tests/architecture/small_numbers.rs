@@ -1,13 +1,8 @@
 //! No epsilon is scattered in the code. Every small number in it is named here, with the reason why it is not one: an error bound that
 //! is derived beside it, or a number that has nothing to do with rounding.
 
-mod sources;
-
-use std::path::Path;
-
-use sources::{Crate, code_only, numbers, without_tests};
-
-const CRATES: [&str; 6] = ["geometry", "accel", "shading", "scene-format", "render", "cli"];
+use crate::sources::{code_only, numbers, without_tests};
+use crate::{crates, root};
 
 /// Numbers from here on to 1 are too coarse to stand for rounding.
 const SMALL: f64 = 1e-2;
@@ -62,6 +57,7 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "MIN_POSITIVE",
         "below it `f32` rounds otherwise, and a number is read the exact way",
     ),
+    ("cli/src/commands/parity.rs", "0.005", "how far apart rays beside a pixel's own run, in pixels"),
     ("render/src/sampler/sobol.rs", "1.0 / 4_294_967_296.0", "32 bits as a fraction"),
     ("render/src/sampler/random.rs", "1.0 / (1 << 24)", "24 bits as a fraction"),
 ];
@@ -71,6 +67,7 @@ const FOLDERS: &[(&str, &str)] = &[
     ("geometry/src/naive", "kernels with the usual epsilons, to be compared with ours"),
     ("conformance", "inputs for tests: how near a ray passes an edge is what they are about"),
     ("render/src/assemble/spectrum", "units of physics and the CIE's tables"),
+    ("cli/src/accuracy", "what is varied and how it is printed, in the figures of error"),
     ("cli/src/scenes", "shapes and colours of the built-in scenes"),
     ("cli/src/accuracy", "how hard cases are, and the ends of diagrams' axes: nothing there is rendered with"),
     ("cli/src/metrics", "constants of published formulas for the differences of pictures"),
@@ -82,13 +79,12 @@ fn is_in_folder(file: &str) -> bool {
 
 #[test]
 fn every_small_number_in_the_code_has_its_reason() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace is around this package");
     let mut found = Vec::new();
-    for package in CRATES.map(|name| Crate::read(root, name)) {
+    for package in crates().iter().filter(|package| package.name != "tests") {
         let sources = package.sources();
         let tests: Vec<_> = sources.iter().flat_map(|(path, text)| without_tests(path, &code_only(text)).1).collect();
         for (path, text) in sources.iter().filter(|(path, _)| !tests.contains(path)) {
-            let file = path.strip_prefix(root).expect("in the workspace").display().to_string();
+            let file = path.strip_prefix(root()).expect("in the workspace").display().to_string();
             let (code, _) = without_tests(path, &code_only(text));
             if !is_in_folder(&file) {
                 found.extend(small_numbers(&code).into_iter().map(|number| (file.clone(), number)));
