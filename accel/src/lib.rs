@@ -1,13 +1,18 @@
 //! Which primitive does a ray meet first?
 //!
-//! [`none`] asks every primitive; [`octree`] asks only those in the cells that the ray passes (the report's section 4.1). Both are
-//! plain functions from [`geometry::Primitives`] to an [`Accelerator`], and so is anybody's own.
+//! Three answers, to be read one after the other:
+//!
+//! * [`none`] asks every primitive;
+//! * [`octree`] asks those in the cells that the ray passes (the report's section 4.1);
+//! * [`wide`] makes of the same cells nodes of eight boxes and blocks of eight triangles, each tested in one step.
+//!
+//! All are plain functions from [`geometry::Primitives`] to an [`Accelerator`], and so is anybody's own.
 //!
 //! # Conventions
 //!
 //! Every accelerator returns the hit that [`none`] returns, bit for bit: `geometry` alone decides what is a hit and where,
 //! and of hits at one distance the lowest primitive's counts. An accelerator may only leave out primitives that the ray
-//! cannot meet. It knows boxes and numbers, never a colour; infinite planes stand outside.
+//! cannot meet. ([`wide_watertight`] alone decides hits itself.) It knows boxes and numbers, never a colour; infinite planes stand outside.
 
 mod accelerator;
 mod none;

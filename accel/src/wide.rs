@@ -1,4 +1,21 @@
-//! The wide octree.
+//! The octree, made for a processor that does eight things at once.
+//!
+//! The plain octree spends its time on one box, one plane, one primitive after the other, each waiting for the last. Here the cells are the same:
+//! a cube around all primitives, halved and halved again. But each primitive stands in one cell only, the one of its centre, and what a
+//! ray is tested against is the tight box of what a cell holds. That frees the tree to show its cells in any grouping, and the
+//! grouping that costs a ray least is found.
+//!
+//! ```text
+//!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of eight boxes   --> ray: eight boxes in a step
+//!                    morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
+//!                                                                layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
+//! ```
+//!
+//! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
+//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` and `interleave.rs` trace many rays at once. `simd.rs` is the only place that
+//! knows the processor.
+//!
+//! A box test or a triangle test of someone else's ([`geometry::Kernels`]): triangles are then asked one by one, and boxes are still tested here.
 
 mod boxes;
 mod build;

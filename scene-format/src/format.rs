@@ -108,7 +108,10 @@ impl<'s> Layout<'s> {
     /// What begins with a word, and where the program text ends that begins behind it.
     fn marks_at(&mut self, start: u32, end: u32) -> (Option<Mark>, Option<u32>) {
         let (mut begins, mut code) = (None, None);
-        while let Some(&(place, mark)) = self.marks.first().filter(|(place, _)| *place <= end) {
+        // The next word may be glued to this one, and begin where it ends: only program text belongs to this one there.
+        let is_here =
+            |(place, mark): &&(u32, Mark)| *place < end || (*place == end && matches!(mark, Mark::Code { .. }));
+        while let Some(&(place, mark)) = self.marks.first().filter(is_here) {
             self.marks = self.marks.get(1..).unwrap_or_default();
             match mark {
                 Mark::Code { end } => code = Some(end),

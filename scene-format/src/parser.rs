@@ -154,7 +154,8 @@ impl<'s> Parser<'s> {
             self.mark(keyword, Mark::Statement);
             match self.statement(keyword) {
                 Ok(Some(statement)) => {
-                    scene.statements.push(Spanned::new(statement, keyword.span.to(self.cursor.previous())));
+                    let statement = Spanned::new(statement, keyword.span.to(self.cursor.previous()));
+                    add_statement(&mut scene.statements, statement);
                 }
                 Ok(None) => {}
                 Err(Reported) => self.skip_statement(),
@@ -208,5 +209,21 @@ impl<'s> Parser<'s> {
                 .help("remove it, or look for a brace too many or too few before it");
         self.context.report(warning);
         self.cursor.forget_depth();
+    }
+}
+
+/// Adds a statement. Words that nobody knows, after words that nobody knows and no block ended, are more of the same: where the one
+/// statement ends and the other begins could not be told when they are printed.
+fn add_statement(statements: &mut Vec<Spanned<Statement>>, statement: Spanned<Statement>) {
+    match (statements.last_mut(), statement) {
+        (
+            Some(Spanned { value: Statement::Unknown(before), span }),
+            Spanned { value: Statement::Unknown(more), span: further },
+        ) if before.words.last().is_none_or(|word| word.value != "}") => {
+            before.words.push(more.keyword);
+            before.words.extend(more.words);
+            *span = span.to(further);
+        }
+        (_, statement) => statements.push(statement),
     }
 }

@@ -33,13 +33,13 @@ mod tests {
 
     #[test]
     fn every_way_of_bouncing_has_its_own_number() {
-        let camera = Bounces::of_camera_ray(9, 9);
-        let mut rays = vec![camera];
-        for depth in 0..5 {
-            let start = rays.len() - (1 << depth);
-            for ray in rays[start..].to_vec() {
-                rays.extend([ray.reflected(), ray.refracted()].into_iter().flatten());
-            }
+        let mut rays = vec![Bounces::of_camera_ray(9, 9)];
+        let mut next = 0;
+        // A camera ray and five bounces: 1 + 2 + 4 + 8 + 16 + 32 rays.
+        while rays.len() < 63 {
+            let ray = rays[next];
+            rays.extend([ray.reflected(), ray.refracted()].into_iter().flatten());
+            next += 1;
         }
         let numbers: std::collections::BTreeSet<u32> = rays.iter().map(|ray| ray.path).collect();
         assert_eq!((rays.len(), numbers.len()), (63, 63));

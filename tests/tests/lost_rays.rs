@@ -48,8 +48,8 @@ fn a_ray_that_is_no_number_counts_as_black_and_is_told() {
     assert_eq!(film.pixels, expected.pixels);
     assert!(expected.lost.pixels.is_empty());
     // On the ball and right of the middle.
-    let magenta = |&&[x, y]: &&[u32; 2]| x >= 12 && x < 24 && y < 18;
-    assert!(film.lost.pixels.len() > 20 && film.lost.pixels.iter().all(|pixel| magenta(&pixel)), "{:?}", film.lost);
+    let right = |&[x, y]: &[u32; 2]| (12..24).contains(&x) && y < 18;
+    assert!(film.lost.pixels.len() > 20 && film.lost.pixels.iter().all(right), "{:?}", film.lost);
     let pixels = film.lost.pixels.len() as u64;
     assert!(film.lost.count > pixels && film.lost.count <= 4 * pixels, "{:?}", film.lost);
     assert!(film.lost.pixels.is_sorted_by_key(|&[x, y]| [y, x]));

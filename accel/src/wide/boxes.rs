@@ -16,15 +16,15 @@ use super::{
 ///
 /// # No box that holds a hit is lost
 ///
-/// With `u = 2^-24`, `R = |o| + B` on the axis, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: the difference and the
-/// product round three times, which moves a crossing by at most `3u R |i|` and a little. A hit is off its box by an eighth of
+/// With `u = 2^-24`, `R = |o| + B` on the axis, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: a crossing is computed as
+/// `plane i - o i`, which rounds five times, or four where the processor fuses, and is off by at most `5u R |i|` and a little. A hit is off its box by an eighth of
 /// `u R |i|` ([`geometry::TriangleProbe`]; other primitives: by much less), its `t` by another `u R |i|` when it is rounded to `f32`.
-/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes `13u`; the origin
+/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes less than `14.2u`; the origin
 /// itself is moved, forward for the near planes and back for the far ones, by `16u R`, rounded to no less than `15u R`. Nothing
 /// need be done for it in the test.
 ///
-/// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-64 of the largest: that
-/// moves the ray by 2^-64 R inside the tree. [`super::is_ordinary`] has seen to it that nothing overflows to a NaN.
+/// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-48 of the largest: that
+/// moves the ray by 2^-47 R inside the tree. [`crate::ordinary`] has seen to it that nothing overflows to a NaN.
 pub(super) struct BoxRay {
     /// Of the near planes and of the far ones: the origin, moved, times `i`.
     pub(super) near: [f32; 3],

@@ -89,7 +89,7 @@ fn not_a_whole_number() {
 
 #[test]
 fn an_impossible_picture_size() {
-    assert_snapshot!(say("image { resolution 0 99999 }"), @"scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 2147483647 [found `0`]");
+    assert_snapshot!(say("image { resolution 0 99999 }"), @"scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]");
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn an_empty_file() {
 #[test]
 fn several_errors_in_one_run() {
     assert_snapshot!(say("image { resolution 0 1 aa x }\nshader { type mirror }\nobject { shader a type sphere c 1 2 r 1 }"), @"
-        scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 2147483647 [found `0`]
+        scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]
         scene.sc:1:27: error[SC201]: `aa` needs a whole number [expected a whole number, found `x`]
         scene.sc:2:22: error[SC111]: the shader has no `name` [expected `name <name>` before this] {scene.sc:2:1: the block begins here}
         scene.sc:2:22: error[SC111]: the shader has no `refl` [expected `refl r g b` before this] {scene.sc:2:1: the block begins here}

@@ -79,3 +79,10 @@ fn a_text_with_an_error_is_not_laid_out() {
 fn an_include_need_not_be_there() {
     assert_eq!(format("include   x.sc").as_deref(), Ok("include x.sc\n"));
 }
+
+#[test]
+fn a_statement_that_is_glued_to_a_brace_begins_a_line() {
+    // Found by fuzzing: the word lost its place to the brace.
+    assert_laid_out("image { aa 0 1 }x bucket 8 row");
+    assert_eq!(format("image { aa 0 1 }x").as_deref(), Ok("image {\n  aa 0 1\n}\n\nx\n"));
+}

@@ -45,3 +45,10 @@ fn program_text_in_an_unknown_statement_survives_printing() {
     assert_round_trip(&read("xyzzy { <code>\n }\n</code>\n x }").scene);
     assert_round_trip(&read("gi { { <code>\n }\n</code>\n } }").scene);
 }
+
+#[test]
+fn unknown_statements_that_a_stray_brace_parts_survive_printing() {
+    // Found by fuzzing: printed without the brace, the second was read as more of the first.
+    assert_round_trip(&read("skat 1 } shape { type mesh }").scene);
+    assert_round_trip(&read("skat { 1 } shape 2 { }").scene);
+}
