@@ -53,7 +53,7 @@ fn ray(mesh: &Mesh, inside: &impl Fn(&mut Random) -> DVec3, number: u64) -> Ray 
         1 => {
             let [a, b] = [corners[0], corners[1]].map(|corner| corner.as_dvec3());
             // In the middle, or anywhere on the edge as nearly as `f32` allows.
-            let share = if random.bits() % 2 == 0 { 0.5 } else { random.number() };
+            let share = if random.bits().is_multiple_of(2) { 0.5 } else { random.number() };
             (a + (b - a) * share).as_vec3() - origin
         }
         _ => random.direction().as_vec3(),
@@ -61,13 +61,13 @@ fn ray(mesh: &Mesh, inside: &impl Fn(&mut Random) -> DVec3, number: u64) -> Ray 
     Ray::new(origin, direction)
 }
 
-fn no_ray_gets_out(mesh: Mesh, inside: impl Fn(&mut Random) -> DVec3) {
+fn no_ray_gets_out(mesh: &Mesh, inside: impl Fn(&mut Random) -> DVec3) {
     let mut primitives = Primitives::default();
     primitives.add_mesh(mesh.clone());
     for (name, build) in ACCELERATORS {
         let accelerator = build(primitives.clone());
         let leaks: Vec<_> = (0..RAYS)
-            .map(|number| ray(&mesh, &inside, number))
+            .map(|number| ray(mesh, &inside, number))
             .filter(|ray| accelerator.closest(ray, Interval::FORWARD).is_none())
             .collect();
         assert!(
@@ -89,7 +89,7 @@ fn no_ray_gets_out_of_a_crumpled_octahedron() {
     let positions: Vec<Vec3> = directions.into_iter().map(|direction| place(direction).as_vec3()).collect();
     let mesh = Mesh { positions, triangles, ..Mesh::default() };
     let (corners, points) = (mesh.triangles.clone(), mesh.positions.clone());
-    no_ray_gets_out(mesh, |random| {
+    no_ray_gets_out(&mesh, |random| {
         let [a, b, c] = corners[random.below(corners.len())].map(|corner| points[corner as usize].as_dvec3());
         let (u, v) = (random.number(), random.number());
         (a * (1.0 - u) + (b * (1.0 - v) + c * v) * u) * (0.99 * random.number())
@@ -123,7 +123,7 @@ fn no_ray_gets_out_of_a_knotted_tube() {
         })
         .collect();
     let points = positions.clone();
-    no_ray_gets_out(Mesh { positions, triangles, ..Mesh::default() }, |random| {
+    no_ray_gets_out(&Mesh { positions, triangles, ..Mesh::default() }, |random| {
         let ring = random.below(RINGS);
         let corners = [0, 1, 2, 3].map(|place| points[point(ring, place) as usize].as_dvec3());
         let middle = corners.iter().sum::<DVec3>() / 4.0;
@@ -138,7 +138,7 @@ fn no_ray_gets_out_of_a_cube_far_off() {
         .then(&Transform::translation(DVec3::new(123_456.7, -234_567.8, 345_678.9)));
     let mut mesh = unit_cube();
     mesh.positions.iter_mut().for_each(|position| *position = place.point_f32(*position));
-    no_ray_gets_out(mesh, |random| place.point(random.direction() * 0.8));
+    no_ray_gets_out(&mesh, |random| place.point(random.direction() * 0.8));
 }
 
 proptest! {

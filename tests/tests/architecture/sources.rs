@@ -195,7 +195,7 @@ pub(crate) fn numbers(code: &str) -> Vec<(f64, String, String)> {
     while at < letters.len() {
         let starts = letters[at].is_ascii_digit()
             && !before.ends_with(|letter: char| letter.is_alphanumeric() || letter == '_')
-            && !(before.ends_with('.') && !before.ends_with(".."));
+            && (!before.ends_with('.') || before.ends_with(".."));
         let end = if starts { number_end(&letters, at) } else { at + 1 };
         let text: String = letters[at..end].iter().collect();
         if starts {
