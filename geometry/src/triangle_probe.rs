@@ -27,7 +27,7 @@ use crate::{Intersection, Interval, Ray};
 ///
 /// An accelerator leaves out triangles whose boxes the ray does not meet, so a hit outside the box would be found or not by
 /// chance. Two things could bring one about; both are in doubt, and a hit in doubt must show that the ray meets the box, and its `t`
-/// is cut to where it does.
+/// is cut to where it does (`cut_to_box`).
 ///
 /// * *A weight of 0.* A product of `f64` rounds monotonically, so a difference of two products never has the wrong sign, but may be 0
 ///   where the truth is not. With three weights other than 0 the origin is strictly inside the triangle of the three projected
