@@ -100,7 +100,7 @@ fn main() {
                 sum
             };
             let (exact, watertight) = (&*exact, &*watertight);
-            let contestants: [&dyn Fn(&[Ray]) -> f32; 7] = [
+            let contestants: [&Contestant; 7] = [
                 &|rays| embree(&default, rays),
                 &|rays| embree(&robust, rays),
                 &|rays| embree_many(&default, rays),
@@ -140,12 +140,15 @@ fn main() {
     }
 }
 
+/// Traces rays; what it returns depends on all of them.
+type Contestant<'a> = dyn Fn(&[Ray]) -> f32 + 'a;
+
 /// Rays that one contestant traces before the next has its turn: a millisecond.
 const TURN: usize = 1 << 12;
 const ROUNDS: usize = 7;
 
 /// The time of each contestant: for every turn the least disturbed of some rounds.
-fn times(rays: &[Ray], contestants: &[&dyn Fn(&[Ray]) -> f32]) -> Vec<f64> {
+fn times(rays: &[Ray], contestants: &[&Contestant]) -> Vec<f64> {
     let mut totals = vec![0.0; contestants.len()];
     for turn in rays.chunks(TURN) {
         let mut least = vec![f64::INFINITY; contestants.len()];

@@ -7,17 +7,19 @@ use glam::{Vec2, Vec3};
 
 /// A mesh, with where to look at it from and to, and its light.
 pub struct Scene {
-    pub name: &'static str,
     pub mesh: Mesh,
     pub eye: Vec3,
     pub target: Vec3,
     pub light: Vec3,
 }
 
-pub fn all() -> [(&'static str, fn() -> Scene); 5] {
+/// Makes a scene.
+pub type Make = fn() -> Scene;
+
+pub fn all() -> [(&'static str, Make); 5] {
     [
-        ("knot 72 k", || knot("knot 72 k", 1200, 30)),
-        ("knot 1 M", || knot("knot 1 M", 4200, 120)),
+        ("knot 72 k", || knot(1200, 30)),
+        ("knot 1 M", || knot(4200, 120)),
         ("fence", fence),
         ("stadium", stadium),
         ("body", body),
@@ -25,7 +27,7 @@ pub fn all() -> [(&'static str, fn() -> Scene); 5] {
 }
 
 /// A bumpy tube along a torus knot: as organic as a formula.
-fn knot(name: &'static str, along: u32, around: u32) -> Scene {
+fn knot(along: u32, around: u32) -> Scene {
     let center = |s: f32| {
         let (p, q) = (2.0 * s, 3.0 * s);
         let ring = 2.0 + q.cos();
@@ -41,7 +43,7 @@ fn knot(name: &'static str, along: u32, around: u32) -> Scene {
         center(s) + radius * (a.cos() * side + a.sin() * up)
     };
     let mesh = grid(along, around, point);
-    Scene { name, mesh, eye: Vec3::new(1.0, -6.0, 5.0), target: Vec3::ZERO, light: Vec3::new(4.0, -5.0, 8.0) }
+    Scene { mesh, eye: Vec3::new(1.0, -6.0, 5.0), target: Vec3::ZERO, light: Vec3::new(4.0, -5.0, 8.0) }
 }
 
 /// Thin diagonal wires, crossing, of triangles 200 times as long as wide.
@@ -70,7 +72,7 @@ fn fence() -> Scene {
             }
         }
     }
-    Scene { name: "fence", mesh, eye: Vec3::new(0.5, -4.0, 0.3), target: Vec3::ZERO, light: Vec3::new(3.0, -9.0, 5.0) }
+    Scene { mesh, eye: Vec3::new(0.5, -4.0, 0.3), target: Vec3::ZERO, light: Vec3::new(3.0, -9.0, 5.0) }
 }
 
 /// Many small spheres in a big room: the teapot in the stadium.
@@ -92,13 +94,7 @@ fn stadium() -> Scene {
         ..Mesh::default()
     };
     add(&mut mesh, room);
-    Scene {
-        name: "stadium",
-        mesh,
-        eye: Vec3::new(9.0, -7.0, 4.0),
-        target: Vec3::ZERO,
-        light: Vec3::new(20.0, -10.0, 40.0),
-    }
+    Scene { mesh, eye: Vec3::new(9.0, -7.0, 4.0), target: Vec3::ZERO, light: Vec3::new(20.0, -10.0, 40.0) }
 }
 
 /// A body of few faces, each cut into many equal triangles, on a floor.
@@ -113,13 +109,7 @@ fn body() -> Scene {
     }
     let floor = grid_flat(80, |at| Vec3::new(6.0 * at.x - 3.0, 6.0 * at.y - 3.0, -1.3));
     add(&mut mesh, floor);
-    Scene {
-        name: "body",
-        mesh,
-        eye: Vec3::new(2.0, -3.2, 1.4),
-        target: Vec3::new(0.0, 0.0, -0.2),
-        light: Vec3::new(3.0, -2.0, 4.0),
-    }
+    Scene { mesh, eye: Vec3::new(2.0, -3.2, 1.4), target: Vec3::new(0.0, 0.0, -0.2), light: Vec3::new(3.0, -2.0, 4.0) }
 }
 
 /// A closed surface of two angles.
