@@ -88,9 +88,9 @@ fn no_ray_gets_out_of_a_crumpled_octahedron() {
         |direction: DVec3| direction.normalize() * (1.0 + 2.0 * random.number()) * DVec3::new(1.0, 0.3, 0.05);
     let positions: Vec<Vec3> = directions.into_iter().map(|direction| place(direction).as_vec3()).collect();
     let mesh = Mesh { positions, triangles, ..Mesh::default() };
-    let (corners, points) = (mesh.triangles.clone(), mesh.positions.clone());
     no_ray_gets_out(&mesh, |random| {
-        let [a, b, c] = corners[random.below(corners.len())].map(|corner| points[corner as usize].as_dvec3());
+        let corners = mesh.triangles[random.below(mesh.triangles.len())];
+        let [a, b, c] = corners.map(|corner| mesh.positions[corner as usize].as_dvec3());
         let (u, v) = (random.number(), random.number());
         (a * (1.0 - u) + (b * (1.0 - v) + c * v) * u) * (0.99 * random.number())
     });
@@ -122,10 +122,10 @@ fn no_ray_gets_out_of_a_knotted_tube() {
             [[a, b, c], [a, c, d]]
         })
         .collect();
-    let points = positions.clone();
-    no_ray_gets_out(&Mesh { positions, triangles, ..Mesh::default() }, |random| {
+    let mesh = Mesh { positions, triangles, ..Mesh::default() };
+    no_ray_gets_out(&mesh, |random| {
         let ring = random.below(RINGS);
-        let corners = [0, 1, 2, 3].map(|place| points[point(ring, place) as usize].as_dvec3());
+        let corners = [0, 1, 2, 3].map(|place| mesh.positions[point(ring, place) as usize].as_dvec3());
         let middle = corners.iter().sum::<DVec3>() / 4.0;
         middle + (corners[random.below(4)] - middle) * (0.9 * random.number())
     });

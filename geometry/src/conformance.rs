@@ -154,21 +154,28 @@ pub fn triangles() -> impl Strategy<Value = Aimed<Triangle>> {
 
 /// Triangles whose corners lie exactly in a row, or on each other, up to 1e6 sizes from the origin of space; rays straight at them.
 ///
-/// Whole numbers below 2^24, so that no corner is moved by a rounding.
+/// The corners are whole numbers below 2^24, which no rounding moves, or differ along one axis alone.
 pub fn flat_triangles() -> impl Strategy<Value = Aimed<Triangle>> {
     let whole = |most: i32| [-most..=most, -most..=most, -most..=most].prop_map(|v| Vec3::from(v.map(|x| x as f32)));
     let order = prop::sample::select(vec![[0, 1, 2], [1, 0, 2], [0, 2, 1], [0, 0, 1], [0, 0, 0]]);
     let start = prop_oneof![whole(1000), whole(1_000_000)];
-    let step = prop_oneof![whole(1), whole(1000)];
-    let aim = (-0.5_f32..2.5, prop_oneof![Just(1.0_f32), Just(1e3)], unit_vector());
-    (start, step, order, aim).prop_map(|(start, step, order, (along, far, side))| {
-        let place = |steps: f32| start + steps * step;
-        let target = place(if far == 1.0 { along } else { along.round() });
-        let origin = (target.as_dvec3() + side * f64::from(far)).as_vec3();
-        Aimed {
-            shape: Triangle { corners: order.map(|steps| place(steps as f32)) },
-            ray: Ray::new(origin, target - origin),
-        }
+    let row = (start, prop_oneof![whole(1), whole(1000)], order)
+        .prop_map(|(start, step, order)| order.map(|steps| start + steps as f32 * step));
+    let place = (unit_vector(), magnitude(1e-3, 1e7)).prop_map(|(side, far)| side * far);
+    let along = || (magnitude(1e-3, 1e6), any::<bool>()).prop_map(|(along, back)| if back { -along } else { along });
+    let along_axis = (place, 0..3_usize, [along(), along(), along()]).prop_map(|(place, axis, places)| {
+        places.map(|along| {
+            let mut corner = place.as_vec3();
+            corner[axis] = along as f32;
+            corner
+        })
+    });
+    let aim = (barycentric(), magnitude(1e-3, 1e6), unit_vector());
+    (prop_oneof![row, along_axis], aim).prop_map(|(corners, ([wa, wb, wc], far, side))| {
+        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+        let target = (a * wa + b * wb + c * wc).as_vec3();
+        let origin = (target.as_dvec3() + side * far).as_vec3();
+        Aimed { shape: Triangle { corners }, ray: Ray::new(origin, target - origin) }
     })
 }
 

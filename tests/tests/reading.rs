@@ -196,6 +196,7 @@ fn limits_are_the_caller_s() {
     assert_eq!(said(&ball, none(), few), "SC701");
     let flake = format!("{CAMERA} {WHITE} object {{ shader white type sphereflake level 2000000000 }}");
     assert_eq!(said(&flake, none(), Limits::default()), "SC701");
+    assert_eq!(said(&flake, none(), few), "SC701 SC701");
     let small = Limits { picture_edge: 100, ..Limits::default() };
     assert_eq!(said(&format!("image {{ resolution 101 5 }} {CAMERA}"), none(), small), "SC701");
     let mesh = format!("{CAMERA} {WHITE} object {{ shader white type file-mesh filename a.obj }}");
@@ -208,4 +209,22 @@ fn limits_are_the_caller_s() {
     assert_eq!(said(&text, deep(), Limits::default()), "");
     assert_eq!(said(&text, deep(), Limits { include_depth: 1, ..Limits::default() }), "SC701");
     assert_eq!(said(&text, deep(), Limits { files: 2, ..Limits::default() }), "SC701");
+}
+
+/// One of the real scenes asks for ten times: 9^10 spheres.
+#[test]
+fn a_flake_is_grown_six_times_at_most_with_a_warning() {
+    let spheres = |level: u32| {
+        let text = format!("{CAMERA} {WHITE} object {{ shader white type sphereflake level {level} }}");
+        let modules = Modules::default();
+        let parsed = (modules.parse)("scene.sc", &text, &MemoryFiles::default(), &Limits::default());
+        let assembled =
+            render::assemble(&parsed.scene, &modules, &render::Lighting::default(), &MemoryFiles::default());
+        let assembled = assembled.unwrap_or_else(|errors| panic!("{errors:?}"));
+        let count = assembled.scene.inventory(&assembled.settings).bounded.spheres;
+        (count, assembled.warnings.iter().map(|said| said.code.as_str()).collect::<Vec<_>>())
+    };
+    assert_eq!(spheres(2), (1 + 9 + 81, vec![]));
+    // (9^7 - 1) / 8
+    assert_eq!(spheres(10), (597_871, vec!["SC701"]));
 }

@@ -252,6 +252,9 @@ pub(super) fn sphereflake(level: u32, axis: Triple, radius: f32) -> Vec<(DVec3, 
     spheres
 }
 
+/// How often a flake is grown at most: to 597,871 spheres.
+pub(super) const DEEPEST_FLAKE: u32 = 6;
+
 /// How many spheres a flake has, if that can be counted: 1 + 9 + 81 ...
 pub(super) fn spheres_of(level: u32) -> Option<usize> {
     Some((9usize.checked_pow(level.checked_add(1)?)? - 1) / 8)

@@ -81,7 +81,7 @@ impl<'a> Parts<'a> {
                 self.add_made(Some(0), || curved::torus(radii.value), shaders, to_world, shape.span)
             }
             Shape::Sphereflake { level, axis, radius } => {
-                let level = level.map_or(2, |level| level.value);
+                let level = self.flake_level(*level);
                 let axis = axis.map_or([0.0, 0.0, 1.0], |axis| axis.value);
                 let radius = radius.map_or(1.0, |radius| radius.value);
                 self.check_count(curved::spheres_of(level), shape.span)
@@ -108,6 +108,20 @@ impl<'a> Parts<'a> {
             Err(NotPlaced::Because(diagnostic)) => self.diagnostics.push(diagnostic),
             Ok(()) => {}
         }
+    }
+
+    /// How often a flake is grown: each step has nine times the spheres of the one before, a third as large.
+    fn flake_level(&mut self, asked: Option<Spanned<u32>>) -> u32 {
+        let Some(asked) = asked else { return 2 };
+        if asked.value > curved::DEEPEST_FLAKE {
+            let deepest = curved::DEEPEST_FLAKE;
+            self.diagnostics.push(
+                Diagnostic::warning(Code::OverLimit, asked.span, format!("a flake is grown {deepest} times at most"))
+                    .label(format!("{} times are asked for", asked.value))
+                    .help("the smallest spheres have 1/729 of the first one's radius then"),
+            );
+        }
+        asked.value.min(curved::DEEPEST_FLAKE)
     }
 
     fn add_sphere(

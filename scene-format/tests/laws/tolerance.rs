@@ -236,3 +236,12 @@ fn a_span_covers_its_whole_statement() {
         parsed.scene.statements.iter().map(|it| &source[it.span.start as usize..it.span.end as usize]).collect();
     assert_eq!(texts, ["bucket 32 row", "image { aa 0 1 }"]);
 }
+
+#[test]
+fn a_number_in_a_list_ends_with_its_word() {
+    let mesh = |last: &str| format!("object {{ shader a type generic-mesh points 1 0 0 {last} triangles 0 }}");
+    assert_eq!(messages(&read(&mesh("2"))), "");
+    for last in ["1.2.3", "1x", "1,5", "0x1p1x"] {
+        assert!(messages(&read(&mesh(last))).contains("error[SC301]"), "{last}");
+    }
+}
