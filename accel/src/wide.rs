@@ -12,7 +12,7 @@
 //! ```
 //!
 //! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
-//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` and `interleave.rs` trace many rays at once. `simd.rs` is the only place that
+//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` traces many rays at once. `simd.rs` is the only place that
 //! knows the processor.
 //!
 //! A box test or a triangle test of someone else's ([`geometry::Kernels`]): triangles are then asked one by one, and boxes are still tested here.
@@ -22,7 +22,6 @@ mod build;
 mod cells;
 mod collapse;
 mod decide;
-mod interleave;
 mod layout;
 mod morton;
 mod packet;
@@ -167,7 +166,7 @@ impl<I: Isa + Send + Sync + 'static> Wide<I, Exact> {
 }
 
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
-    /// In packets where rays go the same way, else in turn; what is left over, and what is not ordinary, alone.
+    /// In packets where rays go the same way; others, and what is left over, alone.
     #[inline(always)]
     fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         let Self { isa, tree, primitives, .. } = self;
@@ -177,17 +176,8 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
             {
                 continue;
             }
-            for (rays, hits) in rays.chunks(interleave::RAYS).zip(hits.chunks_mut(interleave::RAYS)) {
-                match rays.try_into() {
-                    Ok(rays) if rays_are_ordinary(rays) => {
-                        interleave::closest::<I, D>(*isa, tree, primitives, rays, hits);
-                    }
-                    _ => {
-                        for (ray, hit) in rays.iter().zip(hits) {
-                            *hit = self.closest(ray, Interval::FORWARD);
-                        }
-                    }
-                }
+            for (ray, hit) in rays.iter().zip(hits) {
+                *hit = self.closest(ray, Interval::FORWARD);
             }
         }
     }
@@ -208,10 +198,6 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
             }
         }
     }
-}
-
-fn rays_are_ordinary(rays: &[Ray; interleave::RAYS]) -> bool {
-    rays.iter().all(is_ordinary)
 }
 
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {

@@ -29,21 +29,20 @@ pub(super) struct BoxRay {
     /// Of the near planes and of the far ones: the origin, moved, times `i`.
     pub(super) near: [f32; 3],
     pub(super) far: [f32; 3],
-    /// The origin, moved.
-    pub(super) near_origin: [f32; 3],
-    pub(super) far_origin: [f32; 3],
     pub(super) inverse: [f32; 3],
     /// For each axis which planes are near: 0 the lower ones, 1 the upper.
     pub(super) sides: [usize; 3],
 }
 
 /// Of a sum of coordinates, the slack that every box has.
-const SLACK: f32 = 8.0 * f32::EPSILON;
+pub(super) const SLACK: f32 = 8.0 * f32::EPSILON;
+
+/// Of the largest component of a direction, the least that counts.
+pub(super) const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
 
 impl BoxRay {
     #[inline(always)]
     pub(super) fn new(ray: &Ray, magnitude: f32) -> Self {
-        const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
         let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let direction = ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
         let inverse = direction.map(|d| 1.0 / d);
@@ -53,8 +52,6 @@ impl BoxRay {
         Self {
             near: (near_origin * Vec3::from(inverse)).to_array(),
             far: (far_origin * Vec3::from(inverse)).to_array(),
-            near_origin: near_origin.to_array(),
-            far_origin: far_origin.to_array(),
             inverse,
             sides: direction.map(|d| usize::from(d < 0.0)),
         }

@@ -15,14 +15,14 @@ use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
-    boxes::{BoxLanes, BoxRay},
+    boxes::{BoxLanes, NEGLIGIBLE, SLACK},
     decide::{Aimed, Decide, Nearest},
     layout::{Link, Node},
     simd::{Isa, Lanes, Stack, splat},
     traverse::{Pending, any_of, distance, nearest_of, pending},
     triangles::TriangleRay,
 };
-use crate::ordinary::is_ordinary;
+use crate::ordinary::FARTHEST;
 
 /// The rays of a packet.
 pub(super) const RAYS: usize = 16;
@@ -54,10 +54,23 @@ struct Met {
 }
 
 impl Packet {
-    /// `None` if the rays go different ways.
+    /// `None` if the rays go different ways, or are not ordinary. As [`BoxRay`](super::boxes::BoxRay), eight rays in a step.
     #[inline(always)]
-    fn new(rays: &[Ray; RAYS], min: f32, magnitude: f32) -> Option<Self> {
+    fn new<I: Isa>(isa: I, rays: &[Ray; RAYS], min: f32, magnitude: f32) -> Option<Self> {
+        // Looked at first: of rays that go all ways, the second or third differs.
+        let octant = |ray: &Ray| ray.direction.is_negative_bitmask();
+        if rays.iter().any(|ray| octant(ray) != octant(&rays[0])) {
+            return None;
+        }
         let empty = [[[0.0; 8]; 2]; 3];
+        let (mut origins, mut directions) = (empty, empty);
+        for (number, ray) in rays.iter().enumerate() {
+            let (half, lane) = (number / 8, number % 8);
+            for axis in 0..3 {
+                origins[axis][half][lane] = ray.origin.to_array()[axis];
+                directions[axis][half][lane] = ray.direction.to_array()[axis];
+            }
+        }
         let mut packet = Self {
             near: empty,
             far: empty,
@@ -65,35 +78,51 @@ impl Packet {
             sides: [0; 3],
             first: [0.0; 3],
             last: [0.0; 3],
-            inverses: [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]],
+            inverses: [[0.0; 3]; 2],
             min,
         };
-        for (number, ray) in rays.iter().enumerate() {
-            let ready = BoxRay::new(ray, magnitude);
-            if number == 0 {
-                packet.sides = ready.sides;
-                packet.first = ready.near_origin;
-                packet.last = ready.far_origin;
-            }
-            if ready.sides != packet.sides || !is_ordinary(ray) {
-                return None;
-            }
+        let zero = I::F32::splat(isa, 0.0);
+        let one = I::F32::splat(isa, 1.0);
+        let farthest = I::F32::splat(isa, FARTHEST);
+        let nearest = I::F32::splat(isa, 1.0 / FARTHEST);
+        let magnitudes = I::F32::splat(isa, magnitude);
+        let (mut near_origins, mut far_origins) = (empty, empty);
+        let (mut ordinary, mut down) = (0xFF, [0; 3]);
+        for half in 0..2 {
+            let x = I::F32::load(isa, &directions[0][half]).abs();
+            let y = I::F32::load(isa, &directions[1][half]).abs();
+            let z = I::F32::load(isa, &directions[2][half]).abs();
+            let largest = x.max(y).max(z);
+            ordinary &= x.lt(farthest) & y.lt(farthest) & z.lt(farthest) & nearest.lt(largest);
+            let floor = (largest * I::F32::splat(isa, NEGLIGIBLE)).max(I::F32::splat(isa, f32::MIN_POSITIVE));
             for axis in 0..3 {
-                packet.near[axis][number / 8][number % 8] = ready.near[axis];
-                packet.far[axis][number / 8][number % 8] = ready.far[axis];
-                packet.inverse[axis][number / 8][number % 8] = ready.inverse[axis];
-                let [least, greatest] = &mut packet.inverses;
-                least[axis] = least[axis].min(ready.inverse[axis]);
-                greatest[axis] = greatest[axis].max(ready.inverse[axis]);
-                // Against a lower origin the planes of a ray upwards come later; downwards they come sooner.
-                if ready.sides[axis] == 0 {
-                    packet.first[axis] = packet.first[axis].max(ready.near_origin[axis]);
-                    packet.last[axis] = packet.last[axis].min(ready.far_origin[axis]);
-                } else {
-                    packet.first[axis] = packet.first[axis].min(ready.near_origin[axis]);
-                    packet.last[axis] = packet.last[axis].max(ready.far_origin[axis]);
-                }
+                let origin = I::F32::load(isa, &origins[axis][half]);
+                let direction = I::F32::load(isa, &directions[axis][half]);
+                ordinary &= origin.abs().lt(farthest);
+                let direction = direction.abs().max(floor).with_sign_of(direction);
+                let inverse = one / direction;
+                let slack = I::F32::splat(isa, SLACK) * (origin.abs() + magnitudes);
+                let forward = slack.with_sign_of(direction);
+                let (near, far) = (origin + forward, origin - forward);
+                near.store(&mut near_origins[axis][half]);
+                far.store(&mut far_origins[axis][half]);
+                (near * inverse).store(&mut packet.near[axis][half]);
+                (far * inverse).store(&mut packet.far[axis][half]);
+                inverse.store(&mut packet.inverse[axis][half]);
+                down[axis] |= direction.lt(zero) << (8 * half);
             }
+        }
+        if ordinary != 0xFF {
+            return None;
+        }
+        for axis in 0..3 {
+            let (least_inverse, greatest_inverse) = range(isa, &packet.inverse[axis]);
+            packet.inverses[0][axis] = least_inverse;
+            packet.inverses[1][axis] = greatest_inverse;
+            let (near, far) = (range(isa, &near_origins[axis]), range(isa, &far_origins[axis]));
+            packet.sides[axis] = usize::from(down[axis] != 0);
+            // Seen from a lower origin the planes of a ray upwards come later; downwards they come sooner.
+            (packet.first[axis], packet.last[axis]) = if down[axis] == 0 { (near.1, far.0) } else { (near.0, far.1) };
         }
         Some(packet)
     }
@@ -180,6 +209,31 @@ impl Packet {
     }
 }
 
+/// The least and the greatest of sixteen numbers.
+#[inline(always)]
+fn range<I: Isa>(isa: I, row: &Row) -> (f32, f32) {
+    let (low, high) = (I::F32::load(isa, &row[0]), I::F32::load(isa, &row[1]));
+    let (mut least, mut greatest) = ([0.0; 8], [0.0; 8]);
+    low.min(high).store(&mut least);
+    low.max(high).store(&mut greatest);
+    let least = least.into_iter().fold(f32::INFINITY, |a, b| if a < b { a } else { b });
+    let greatest = greatest.into_iter().fold(f32::NEG_INFINITY, |a, b| if a > b { a } else { b });
+    (least, greatest)
+}
+
+/// A ray of a packet, made ready for triangles when it first comes to a leaf.
+type Ready = Option<(TriangleProbe, TriangleRay)>;
+
+#[inline(always)]
+fn ready<'a>(ready: &'a mut Ready, ray: &Ray, min: f32, magnitude: f32) -> &'a (TriangleProbe, TriangleRay) {
+    if ready.is_none() {
+        let probe = TriangleProbe::new(ray);
+        let triangles = TriangleRay::new(ray, &probe, min, magnitude);
+        *ready = Some((probe, triangles));
+    }
+    ready.as_ref().expect("just made")
+}
+
 #[inline(always)]
 fn at(rows: &[Row; 3], half: usize, lane: usize) -> [f32; 3] {
     [rows[0][half][lane], rows[1][half][lane], rows[2][half][lane]]
@@ -195,10 +249,8 @@ pub(super) fn closest<I: Isa, D: Decide>(
     hits: &mut [Option<Hit>],
 ) -> bool {
     let within = Interval::FORWARD;
-    let Some(packet) = Packet::new(rays, within.min, tree.magnitude) else { return false };
-    let probes = rays.each_ref().map(TriangleProbe::new);
-    let triangles: [TriangleRay; RAYS] =
-        std::array::from_fn(|ray| TriangleRay::new(&rays[ray], &probes[ray], within.min, tree.magnitude));
+    let Some(packet) = Packet::new(isa, rays, within.min, tree.magnitude) else { return false };
+    let mut readies = [const { Ready::None }; RAYS];
     let mut nearest = [Nearest::none(within); RAYS];
     let mut limits: Row = [[within.max; 8]; 2];
     let mut stack = Stack::<(Pending, u32)>::new();
@@ -225,7 +277,8 @@ pub(super) fn closest<I: Isa, D: Decide>(
             while waiting != 0 {
                 let ray = waiting.trailing_zeros() as usize & 15;
                 waiting &= waiting - 1;
-                let aimed = Aimed { isa, within, probe: &probes[ray], triangles: triangles[ray].lanes(isa) };
+                let (probe, triangles) = ready(&mut readies[ray], &rays[ray], within.min, tree.magnitude);
+                let aimed = Aimed { isa, within, probe, triangles: triangles.lanes(isa) };
                 for block in blocks {
                     D::block(&aimed, block, &mut nearest[ray]);
                 }
@@ -238,7 +291,9 @@ pub(super) fn closest<I: Isa, D: Decide>(
         loop {
             let Some((next, rays)) = stack.pop() else {
                 for (ray, hit) in hits.iter_mut().enumerate() {
-                    *hit = D::finish(within, &probes[ray], &nearest[ray]);
+                    *hit = readies[ray]
+                        .as_ref()
+                        .map_or(nearest[ray].hit, |(probe, _)| D::finish(within, probe, &nearest[ray]));
                 }
                 return true;
             };
@@ -281,10 +336,8 @@ pub(super) fn any<I: Isa, D: Decide>(
     rays: &[Ray; RAYS],
     within: Interval,
 ) -> Option<u32> {
-    let packet = Packet::new(rays, within.min, tree.magnitude)?;
-    let probes = rays.each_ref().map(TriangleProbe::new);
-    let triangles: [TriangleRay; RAYS] =
-        std::array::from_fn(|ray| TriangleRay::new(&rays[ray], &probes[ray], within.min, tree.magnitude));
+    let packet = Packet::new(isa, rays, within.min, tree.magnitude)?;
+    let mut readies = [const { Ready::None }; RAYS];
     let limits: Row = [[within.max; 8]; 2];
     let mut stack = Stack::<(Link, u32)>::new();
     let (mut link, mut active) = (tree.root, (1 << RAYS) - 1);
@@ -310,7 +363,8 @@ pub(super) fn any<I: Isa, D: Decide>(
             while active != 0 {
                 let ray = active.trailing_zeros() as usize & 15;
                 active &= active - 1;
-                let aimed = Aimed { isa, within, probe: &probes[ray], triangles: triangles[ray].lanes(isa) };
+                let (probe, triangles) = ready(&mut readies[ray], &rays[ray], within.min, tree.magnitude);
+                let aimed = Aimed { isa, within, probe, triangles: triangles.lanes(isa) };
                 let mut is_met = false;
                 for block in blocks {
                     is_met = is_met || D::is_met(&aimed, block);

@@ -37,9 +37,6 @@ pub(super) trait Isa: Copy {
     /// Eight `f32`.
     type F32: Lanes<Self>;
 
-    /// Asks for a value's first cache lines, if the processor can: it will be wanted soon.
-    fn fetch<T>(self, value: &T);
-
     /// Runs code compiled for the instruction set. What it calls must be `#[inline(always)]` to be compiled with it.
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }
@@ -70,6 +67,8 @@ pub(super) trait Lanes<I>:
     fn max(self, other: Self) -> Self;
     /// Without its sign.
     fn abs(self) -> Self;
+    /// With the sign of another, lane by lane; its own must be positive.
+    fn with_sign_of(self, other: Self) -> Self;
     /// A bit for each lane that is less than the other's; none for a NaN.
     fn lt(self, other: Self) -> u32;
     /// A bit for each lane that is no greater than the other's; none for a NaN.

@@ -240,16 +240,6 @@ pub(super) fn any_of(primitives: &Primitives, numbers: &[u32], ray: &Ray, within
 }
 
 impl Tree {
-    /// Asks for a link's memory.
-    #[inline(always)]
-    pub(super) fn fetch<I: Isa>(&self, isa: I, link: Link) {
-        match link.linked() {
-            Linked::Node(index) => isa.fetch(&self.nodes[index as usize]),
-            Linked::Blocks { first, .. } => isa.fetch(&self.blocks[first as usize]),
-            Linked::Mixed(_) => {}
-        }
-    }
-
     /// The blocks of a leaf, and what is asked one by one.
     #[inline(always)]
     pub(super) fn leaf(&self, link: Link) -> (&[Block], &[u32]) {

@@ -26,15 +26,6 @@ impl Isa for Avx512 {
     type F32 = Eight;
 
     #[inline(always)]
-    fn fetch<T>(self, value: &T) {
-        let start = std::ptr::from_ref(value).cast::<i8>();
-        for line in 0..size_of::<T>().div_ceil(64) {
-            // SAFETY: kind 1; a prefetch reads nothing, and of any address.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(64 * line)) };
-        }
-    }
-
-    #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
         #[target_feature(enable = "avx512f,avx512vl,avx512dq,bmi1,fma,bmi2,lzcnt,popcnt")]
         fn compiled_for_it<R>(code: impl FnOnce() -> R) -> R {
@@ -125,6 +116,12 @@ impl Lanes<Avx512> for Eight {
     fn abs(self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn with_sign_of(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_or_ps(self.0, _mm256_and_ps(_mm256_set1_ps(-0.0), other.0)) })
     }
 
     #[inline(always)]

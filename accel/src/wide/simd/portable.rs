@@ -14,9 +14,6 @@ impl Isa for Portable {
     type F32 = Eight;
 
     #[inline(always)]
-    fn fetch<T>(self, _: &T) {}
-
-    #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
         code()
     }
@@ -89,6 +86,11 @@ impl Lanes<Portable> for Eight {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.map(f32::abs))
+    }
+
+    #[inline(always)]
+    fn with_sign_of(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i].copysign(other.0[i])))
     }
 
     #[inline(always)]
