@@ -68,6 +68,17 @@ const WEIGHT: [usize; 3] = [9, 3, 1];
 /// The unions of more than one eighth, those with fewer "both" first: each comes after its parts.
 const LARGER: [Union; 19] = [2, 5, 6, 7, 11, 14, 15, 16, 18, 19, 21, 22, 8, 17, 20, 23, 24, 25, 26];
 
+/// Where a larger union stands in [`LARGER`].
+const PLACE: [u8; UNIONS] = {
+    let mut places = [u8::MAX; UNIONS];
+    let mut place = 0;
+    while place < LARGER.len() {
+        places[LARGER[place]] = place as u8;
+        place += 1;
+    }
+    places
+};
+
 /// Which eighth a union is, if it is one alone.
 pub(super) fn lone_eighth(union: Union) -> Option<usize> {
     let digits = WEIGHT.map(|weight| union / weight % 3);
@@ -137,8 +148,7 @@ fn parts(union: Union, axis: usize) -> (Union, Union) {
 impl Cuts {
     /// How a larger union is best shown in at most so many slots.
     pub(super) fn shown(&self, union: Union, slots: usize) -> Shown {
-        let index = LARGER.iter().position(|&larger| larger == union).expect("not a lone eighth");
-        self.ways[index][slots - 1].of(union)
+        self.ways[usize::from(PLACE[union])][slots - 1].of(union)
     }
 }
 
@@ -149,76 +159,96 @@ struct Shape {
     count: u32,
     asked: u32,
     costs: [f32; SLOTS + 1],
+    /// So many slots, at most 8, it can fill: more cost the same.
+    fills: usize,
 }
 
 impl Shape {
     /// Nothing: shown in no slot at no cost.
-    const EMPTY: Self = Self { bounds: Aabb::EMPTY, count: 0, asked: 0, costs: [0.0; SLOTS + 1] };
+    const EMPTY: Self = Self { bounds: Aabb::EMPTY, count: 0, asked: 0, costs: [0.0; SLOTS + 1], fills: 0 };
 
     fn of(cell: &Cell) -> Self {
         let mut costs = [f32::INFINITY; SLOTS + 1];
         costs[1..].copy_from_slice(&cell.costs);
-        Self { bounds: cell.bounds, count: cell.count, asked: cell.asked, costs }
+        Self { bounds: cell.bounds, count: cell.count, asked: cell.asked, costs, fills: usize::from(cell.fills) }
     }
 }
 
 impl Divided {
-    /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole.
-    pub(super) fn find_cuts(&mut self) -> [f32; SLOTS] {
-        let mut shapes = [Shape::EMPTY; UNIONS];
-        for (union, shape) in shapes.iter_mut().enumerate() {
+    /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole, and how many slots it fills.
+    pub(super) fn find_cuts(&mut self) -> ([f32; SLOTS], u8) {
+        let mut shapes = Shapes { all: [Shape::EMPTY; UNIONS], of: std::array::from_fn(|union| union as u8) };
+        for union in 0..UNIONS {
             if let Some(cell) = lone_eighth(union).and_then(|place| self.eighth(place)) {
-                *shape = Shape::of(cell);
+                shapes.all[union] = Shape::of(cell);
             }
         }
         for (index, &union) in LARGER.iter().enumerate() {
-            (shapes[union], self.cuts.ways[index]) = cheapest(&shapes, union);
+            self.cuts.ways[index] = shapes.find_cheapest(union);
         }
-        std::array::from_fn(|slots| shapes[WHOLE].costs[slots + 1])
+        let whole = shapes.of(WHOLE);
+        (std::array::from_fn(|slots| whole.costs[slots + 1]), whole.fills as u8)
     }
 }
 
-/// The cheapest ways to show a union, whose parts' are known.
-fn cheapest(shapes: &[Shape; UNIONS], union: Union) -> (Shape, [Way; SLOTS]) {
-    let axes = (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2);
-    let mut costs = [f32::INFINITY; SLOTS + 1];
-    let mut ways = [Way::LEAF; SLOTS];
-    let mut whole = Shape::EMPTY;
-    for axis in axes {
-        let (lower, upper) = parts(union, axis);
-        let (lower, upper) = (&shapes[lower], &shapes[upper]);
-        // Where one part is empty the other is the union, and is shown as it is.
-        if lower.count == 0 || upper.count == 0 {
-            let (full, share) = if lower.count == 0 { (upper, 0) } else { (lower, 1) };
-            return (*full, std::array::from_fn(|slots| Way::cut(axis, share * (slots + 1))));
-        }
-        whole = Shape {
-            bounds: lower.bounds.union(upper.bounds),
-            count: lower.count + upper.count,
-            asked: lower.asked + upper.asked,
-            costs,
-        };
-        for slots in 2..=SLOTS {
-            for lower_slots in 1..slots {
-                let cost = lower.costs[lower_slots] + upper.costs[slots - lower_slots];
-                if cost < costs[slots] {
-                    costs[slots] = cost;
-                    ways[slots - 1] = Way::cut(axis, lower_slots);
+/// The shapes of a cell's unions.
+struct Shapes {
+    all: [Shape; UNIONS],
+    /// Where each union's stands: where one part of it is empty, the other's.
+    of: [u8; UNIONS],
+}
+
+impl Shapes {
+    fn of(&self, union: Union) -> &Shape {
+        &self.all[usize::from(self.of[union])]
+    }
+
+    /// Finds the cheapest ways to show a union, whose parts' are known.
+    fn find_cheapest(&mut self, union: Union) -> [Way; SLOTS] {
+        let axes = (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2);
+        let mut costs = [f32::INFINITY; SLOTS + 1];
+        let mut ways = [Way::LEAF; SLOTS];
+        let mut whole = Shape::EMPTY;
+        for axis in axes {
+            let (lower, upper) = parts(union, axis);
+            let places = [self.of[lower], self.of[upper]];
+            let (lower, upper) = (self.of(lower), self.of(upper));
+            // Where one part is empty the other is the union, and is shown as it is.
+            if lower.count == 0 || upper.count == 0 {
+                let lower_share = usize::from(upper.count == 0);
+                self.of[union] = places[1 - lower_share];
+                return std::array::from_fn(|slots| Way::cut(axis, lower_share * (slots + 1)));
+            }
+            whole = Shape {
+                bounds: lower.bounds.union(upper.bounds),
+                count: lower.count + upper.count,
+                asked: lower.asked + upper.asked,
+                costs,
+                fills: SLOTS.min(lower.fills + upper.fills),
+            };
+            for slots in 2..=whole.fills {
+                for lower_slots in slots.saturating_sub(upper.fills).max(1)..=lower.fills.min(slots - 1) {
+                    let cost = lower.costs[lower_slots] + upper.costs[slots - lower_slots];
+                    if cost < costs[slots] {
+                        costs[slots] = cost;
+                        ways[slots - 1] = Way::cut(axis, lower_slots);
+                    }
                 }
             }
         }
-    }
-    let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
-    let as_node = whole.bounds.half_surface() * NODE + costs[SLOTS];
-    (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
-    for slots in 2..=SLOTS {
-        // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.
-        if costs[slots - 1] < costs[slots] {
-            costs[slots] = costs[slots - 1];
-            ways[slots - 1] = Way::FEWER;
+        let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
+        let as_node = whole.bounds.half_surface() * NODE + costs[whole.fills];
+        (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
+        for slots in 2..=SLOTS {
+            // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.
+            if costs[slots - 1] < costs[slots] {
+                costs[slots] = costs[slots - 1];
+                ways[slots - 1] = Way::FEWER;
+            }
         }
+        self.all[union] = Shape { costs, ..whole };
+        ways
     }
-    (Shape { costs, ..whole }, ways)
 }
 
 #[cfg(test)]
