@@ -1,6 +1,7 @@
 //! Which octree: of whole primitives, or with thin triangles in pieces.
 
 use geometry::{Aabb, Primitives};
+use rayon::prelude::*;
 
 use super::{
     cells::{Cell, Content, grow},
@@ -37,7 +38,10 @@ impl Grown {
     fn of(references: &[u32], content: &impl Content, grid: Grid) -> Self {
         let coded = in_morton_order(references, |reference| content.bounds(reference), grid);
         let root = grow(&coded, 0, content);
-        Self { row: coded.into_iter().map(|coded| content.primitive(coded.reference)).collect(), root }
+        Self {
+            row: coded.par_iter().with_min_len(4096).map(|coded| content.primitive(coded.reference)).collect(),
+            root,
+        }
     }
 
     fn cost(&self) -> f32 {

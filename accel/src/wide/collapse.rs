@@ -85,6 +85,11 @@ pub(super) fn lone_eighth(union: Union) -> Option<usize> {
     digits.iter().all(|&digit| digit < 2).then(|| digits[0] << 2 | digits[1] << 1 | digits[2])
 }
 
+/// The union that is one eighth alone.
+fn lone(place: usize) -> Union {
+    WEIGHT[0] * (place >> 2 & 1) + WEIGHT[1] * (place >> 1 & 1) + WEIGHT[2] * (place & 1)
+}
+
 /// Whether an eighth is in a union.
 pub(super) fn covers(union: Union, place: usize) -> bool {
     (0..3).all(|axis| {
@@ -141,9 +146,31 @@ impl Way {
 }
 
 /// A union's two halves on an axis on which it is both.
-fn parts(union: Union, axis: usize) -> (Union, Union) {
+const fn parts(union: Union, axis: usize) -> (Union, Union) {
     (union - 2 * WEIGHT[axis], union - WEIGHT[axis])
 }
+
+/// The axes on which a union is both, with its lower and its upper half.
+fn halves(union: Union) -> impl Iterator<Item = (usize, Union, Union)> {
+    HALVES[union].iter().flatten().map(|&[axis, lower, upper]| (axis as usize, lower as usize, upper as usize))
+}
+
+const HALVES: [[Option<[u8; 3]>; 3]; UNIONS] = {
+    let mut halves = [[None; 3]; UNIONS];
+    let mut union = 0;
+    while union < UNIONS {
+        let mut axis = 0;
+        while axis < 3 {
+            if union / WEIGHT[axis] % 3 == 2 {
+                let (lower, upper) = parts(union, axis);
+                halves[union][axis] = Some([axis as u8, lower as u8, upper as u8]);
+            }
+            axis += 1;
+        }
+        union += 1;
+    }
+    halves
+};
 
 impl Cuts {
     /// How a larger union is best shown in at most so many slots.
@@ -178,9 +205,9 @@ impl Divided {
     /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole, and how many slots it fills.
     pub(super) fn find_cuts(&mut self) -> ([f32; SLOTS], u8) {
         let mut shapes = Shapes { all: [Shape::EMPTY; UNIONS], of: std::array::from_fn(|union| union as u8) };
-        for union in 0..UNIONS {
-            if let Some(cell) = lone_eighth(union).and_then(|place| self.eighth(place)) {
-                shapes.all[union] = Shape::of(cell);
+        for place in 0..8 {
+            if let Some(cell) = self.eighth(place) {
+                shapes.all[lone(place)] = Shape::of(cell);
             }
         }
         for (index, &union) in LARGER.iter().enumerate() {
@@ -205,30 +232,22 @@ impl Shapes {
 
     /// Finds the cheapest ways to show a union, whose parts' are known.
     fn find_cheapest(&mut self, union: Union) -> [Way; SLOTS] {
-        let axes = (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2);
-        let mut costs = [f32::INFINITY; SLOTS + 1];
-        let mut ways = [Way::LEAF; SLOTS];
-        let mut whole = Shape::EMPTY;
-        for axis in axes {
-            let (lower, upper) = parts(union, axis);
-            let places = [self.of[lower], self.of[upper]];
-            let (lower, upper) = (self.of(lower), self.of(upper));
-            // Where one part is empty the other is the union, and is shown as it is.
-            if lower.count == 0 || upper.count == 0 {
-                let lower_share = usize::from(upper.count == 0);
-                self.of[union] = places[1 - lower_share];
+        // Where one part is empty the other is the union, and is shown as it is.
+        for (axis, lower, upper) in halves(union) {
+            if self.of(lower).count == 0 || self.of(upper).count == 0 {
+                let (full, lower_share) = if self.of(lower).count == 0 { (upper, 0) } else { (lower, 1) };
+                self.of[union] = self.of[full];
                 return std::array::from_fn(|slots| Way::cut(axis, lower_share * (slots + 1)));
             }
-            whole = Shape {
-                bounds: lower.bounds.union(upper.bounds),
-                count: lower.count + upper.count,
-                asked: lower.asked + upper.asked,
-                costs,
-                fills: SLOTS.min(lower.fills + upper.fills),
-            };
-            for slots in 2..=whole.fills {
-                for lower_slots in slots.saturating_sub(upper.fills).max(1)..=lower.fills.min(slots - 1) {
-                    let cost = lower.costs[lower_slots] + upper.costs[slots - lower_slots];
+        }
+        let mut costs = [f32::INFINITY; SLOTS + 1];
+        let mut ways = [Way::LEAF; SLOTS];
+        for (axis, lower, upper) in halves(union) {
+            let (lower, upper) = (self.of(lower), self.of(upper));
+            for lower_slots in 1..=lower.fills.min(SLOTS - 1) {
+                for upper_slots in 1..=upper.fills.min(SLOTS - lower_slots) {
+                    let (slots, cost) =
+                        (lower_slots + upper_slots, lower.costs[lower_slots] + upper.costs[upper_slots]);
                     if cost < costs[slots] {
                         costs[slots] = cost;
                         ways[slots - 1] = Way::cut(axis, lower_slots);
@@ -236,6 +255,16 @@ impl Shapes {
                 }
             }
         }
+        let whole = halves(union).next().map_or(Shape::EMPTY, |(_, lower, upper)| {
+            let (lower, upper) = (self.of(lower), self.of(upper));
+            Shape {
+                bounds: lower.bounds.union(upper.bounds),
+                count: lower.count + upper.count,
+                asked: lower.asked + upper.asked,
+                costs,
+                fills: SLOTS.min(lower.fills + upper.fills),
+            }
+        });
         let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
         let as_node = whole.bounds.half_surface() * NODE + costs[whole.fills];
         (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
@@ -258,14 +287,14 @@ mod tests {
     #[test]
     fn a_unions_parts_come_before_it() {
         for (index, &union) in LARGER.iter().enumerate() {
-            for axis in (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2) {
-                let (lower, upper) = parts(union, axis);
+            for (_, lower, upper) in halves(union) {
                 for part in [lower, upper] {
                     assert!(lone_eighth(part).is_some() || LARGER[..index].contains(&part), "{part} of {union}");
                 }
             }
         }
         assert_eq!((0..UNIONS).filter(|&union| lone_eighth(union).is_some()).count() + LARGER.len(), UNIONS);
+        assert!((0..8).all(|place| lone_eighth(lone(place)) == Some(place)));
     }
 
     #[test]
