@@ -14,6 +14,7 @@ mod adaptive;
 mod assemble;
 mod buckets;
 mod camera;
+mod camera_rays;
 #[cfg(feature = "conformance")]
 pub mod conformance;
 mod dialect;

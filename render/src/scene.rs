@@ -53,6 +53,19 @@ impl Scene {
         nearest
     }
 
+    /// As [`Self::closest`], of many rays; `hits` is as long as `rays`.
+    pub fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.accelerator.closest_many(rays, hits);
+        for (number, plane) in self.numbered_planes() {
+            for (ray, nearest) in rays.iter().zip(&mut *hits) {
+                let within = Interval::FORWARD.up_to(nearest.map_or(f32::INFINITY, |hit| hit.t));
+                if let Some(met) = self.bounded.kernels().meet_plane(plane, ray, within) {
+                    *nearest = Some(met.on(number));
+                }
+            }
+        }
+    }
+
     /// Whether something that casts a shadow lies strictly between the ends of a segment.
     pub fn blocked(&self, segment: &Ray) -> bool {
         let blockers = self.blockers.as_deref().unwrap_or(&*self.accelerator);
