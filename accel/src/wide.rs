@@ -207,7 +207,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
@@ -217,7 +217,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
