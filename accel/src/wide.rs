@@ -244,7 +244,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         if !is_ordinary(ray) {
             return visits_of_all(&self.primitives);
         }
-        visits::visits::<I, D>(self.isa, &self.tree, &self.primitives, ray, within)
+        visits::visits::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
     }
 
     fn statistics(&self) -> Statistics {

@@ -127,8 +127,8 @@ impl<I: Isa> Packet<I> {
         };
         let boxes = BoxRays::new(isa, origins, directions, within.min, magnitude);
         let mut sides = [0; 3];
-        for axis in 0..3 {
-            sides[axis] = match boxes.inverse[axis].lt(zero) {
+        for (side, inverse) in sides.iter_mut().zip(&boxes.inverse) {
+            *side = match inverse.lt(zero) {
                 0 => 0,
                 ALL => 1,
                 _ => return None,
@@ -219,28 +219,22 @@ impl<I: Isa> Packet<I> {
     #[inline(always)]
     fn meet_block(&self, block: &Block) -> u32 {
         let beam = &self.beam;
-        let mut spans = [None; 2];
-        for corner in 0..3 {
-            let z = block.of_all(self.isa, corner, self.axes[2]);
-            let [z_low, z_high] = [z - self.number(beam.origins[2][1]), z - self.number(beam.origins[2][0])];
-            for axis in 0..2 {
+        let slack = self.number(beam.slack);
+        let mut met = 0xFF;
+        for axis in 0..2 {
+            let mut lowest = self.number(f32::INFINITY);
+            let mut highest = self.number(f32::NEG_INFINITY);
+            let [least, greatest] = [self.number(beam.shears[axis][0]), self.number(beam.shears[axis][1])];
+            for corner in 0..3 {
                 let place = block.of_all(self.isa, corner, self.axes[axis]);
-                let [least, greatest] = beam.shears[axis];
-                let (least, greatest) = (self.number(least), self.number(greatest));
+                let z = block.of_all(self.isa, corner, self.axes[2]);
+                let (z_low, z_high) = (z - self.number(beam.origins[2][1]), z - self.number(beam.origins[2][0]));
                 let (a, b, c, d) = (z_low * least, z_low * greatest, z_high * least, z_high * greatest);
                 let low = place - self.number(beam.origins[axis][1]) - a.max(b).max(c.max(d));
                 let high = place - self.number(beam.origins[axis][0]) - a.min(b).min(c.min(d));
-                spans[axis] = Some(match spans[axis] {
-                    None => (low, high),
-                    Some((lowest, highest)) => (low.min(lowest), high.max(highest)),
-                });
+                (lowest, highest) = (low.min(lowest), high.max(highest));
             }
-        }
-        let slack = self.number(beam.slack);
-        let mut met = 0xFF;
-        for span in spans {
-            let Some((low, high)) = span else { continue };
-            met &= low.le(slack) & (self.number(0.0) - slack).le(high);
+            met &= lowest.le(slack) & (self.number(0.0) - slack).le(highest);
         }
         met
     }

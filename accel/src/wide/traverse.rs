@@ -174,6 +174,19 @@ pub(super) fn closest<I: Isa, D: Decide>(
     ray: &Ray,
     within: &Interval,
 ) -> Option<Hit> {
+    search::<I, D>(isa, tree, primitives, ray, within, |_| ())
+}
+
+/// A ray's nearest hit; `visit` is shown each node and leaf on the way.
+#[inline(always)]
+pub(super) fn search<I: Isa, D: Decide>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: &Interval,
+    mut visit: impl FnMut(Link),
+) -> Option<Hit> {
     let asked = Asked { blocks: &tree.blocks, ray, within };
     let bound = Bound::new(isa, ray, within.min, tree.magnitude);
     let aimed = Aimed::new(isa, asked, tree.magnitude);
@@ -186,6 +199,7 @@ pub(super) fn closest<I: Isa, D: Decide>(
     // Looked up once: the compiler cannot know that nothing changes it.
     let (nodes, mut link) = (&tree.nodes[..], tree.root);
     loop {
+        visit(link);
         if link.is_node() {
             if let Some(first) = bound.visit(&nodes[link.bits() as usize], nearest.high, &mut stack) {
                 link = first;
