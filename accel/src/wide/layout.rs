@@ -7,7 +7,7 @@ use glam::Vec3;
 ///
 /// 224 bytes: a row of eight numbers for each of the six planes, so that one load brings a plane of all eight boxes.
 #[derive(Clone)]
-#[repr(C, align(32))]
+#[repr(C, align(64))]
 pub(super) struct Node {
     /// For x, y, z: the lower planes, the upper planes.
     pub(super) planes: [[[f32; 8]; 2]; 3],
