@@ -435,6 +435,7 @@ pub(super) fn closest<I: Isa, D: Decide>(
                 let slot = slot & 7;
                 let rays = packet.meet_box(node, slot, &hits.high) & active;
                 if rays != 0 {
+                    tree.prefetch(node.links[slot]);
                     stack.push((pending(distances[slot], node.links[slot]), rays));
                     sink(stack.since(start));
                 }
@@ -503,6 +504,7 @@ pub(super) fn any<I: Isa, D: Decide>(
                 let slot = slot & 7;
                 let rays = packet.meet_box(node, slot, &limits) & active;
                 if rays != 0 {
+                    tree.prefetch(node.links[slot]);
                     stack.push((node.links[slot], rays));
                 }
             }

@@ -45,6 +45,19 @@ pub(super) trait Isa: Copy {
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }
 
+/// Asks for memory that will be read soon; where the processor cannot be asked, nothing is done.
+#[inline(always)]
+pub(super) fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: kind 1, for every x86-64 has it. Nothing is read: any address will do.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast::<i8>().wrapping_add(line)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
+}
+
 /// Each component, changed. (`array::map` is not always compiled for the instructions of who calls it.)
 #[inline(always)]
 pub(super) fn map<T, U>([x, y, z]: &[T; 3], change: impl Fn(&T) -> U) -> [U; 3] {
