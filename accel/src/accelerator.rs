@@ -24,10 +24,24 @@ pub trait Accelerator: Send + Sync {
         }
     }
 
+    /// How much [`Self::closest`] looks at to answer a ray. An accelerator that does not count has nothing to tell.
+    fn visits(&self, _ray: &Ray, _within: Interval) -> Visits {
+        Visits::default()
+    }
+
     /// What was built. An accelerator that builds nothing has nothing to tell.
     fn statistics(&self) -> Statistics {
         Statistics::default()
     }
+}
+
+/// What a ray looks at on its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Visits {
+    /// Nodes that lead to others.
+    pub nodes: u64,
+    /// Primitives that were tested, each as often as it was.
+    pub primitives: u64,
 }
 
 /// What an accelerator was built of.

@@ -20,7 +20,7 @@ mod octree;
 mod ordinary;
 mod wide;
 
-pub use accelerator::{Accelerator, Statistics};
+pub use accelerator::{Accelerator, Statistics, Visits};
 pub use none::none;
 pub use octree::octree;
 pub use wide::{Hits, Instructions, wide, wide_watertight, wide_with};

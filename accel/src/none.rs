@@ -1,6 +1,6 @@
 use geometry::{Hit, Interval, Primitives, Ray};
 
-use crate::Accelerator;
+use crate::{Accelerator, Visits};
 
 /// No acceleration: every primitive is asked. The definition of the right answer.
 pub fn none(primitives: Primitives) -> Box<dyn Accelerator> {
@@ -19,6 +19,10 @@ impl Accelerator for EveryPrimitive {
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         any_of_all(&self.primitives, ray, within)
     }
+
+    fn visits(&self, _ray: &Ray, _within: Interval) -> Visits {
+        visits_of_all(&self.primitives)
+    }
 }
 
 /// The nearest hit of all primitives.
@@ -29,6 +33,11 @@ pub(crate) fn closest_of_all(primitives: &Primitives, ray: &Ray, within: Interva
 /// Whether any primitive is hit.
 pub(crate) fn any_of_all(primitives: &Primitives, ray: &Ray, within: Interval) -> bool {
     (0..primitives.len()).any(|number| primitives.intersect(number, ray, within).is_some())
+}
+
+/// What is looked at when every primitive is asked.
+pub(crate) fn visits_of_all(primitives: &Primitives) -> Visits {
+    Visits { nodes: 0, primitives: u64::from(primitives.len()) }
 }
 
 /// The nearest of `nearest` and the hits of the numbered primitives, by the order of [`Hit::is_before`].

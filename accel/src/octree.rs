@@ -20,9 +20,11 @@ mod traverse;
 use geometry::{Aabb, Hit, Interval, Primitives, Ray};
 use glam::Vec3;
 
+use traverse::Visitor;
+
 use crate::{
-    Accelerator, Statistics,
-    none::{any_of_all, closest_of, closest_of_all},
+    Accelerator, Statistics, Visits,
+    none::{any_of_all, closest_of, closest_of_all, visits_of_all},
     ordinary::is_ordinary,
 };
 
@@ -81,7 +83,7 @@ impl Accelerator for Octree {
             return closest_of_all(&self.primitives, ray, within);
         }
         let mut nearest: Option<Hit> = None;
-        self.traverse(ray, within, &mut |references| {
+        self.traverse(ray, within, &mut |references: &[u32]| {
             nearest = closest_of(&self.primitives, references.iter().copied(), ray, within, nearest);
             nearest.map_or(within.max, |hit| hit.t)
         });
@@ -93,11 +95,20 @@ impl Accelerator for Octree {
             return any_of_all(&self.primitives, ray, within);
         }
         let mut found = false;
-        self.traverse(ray, within, &mut |references| {
+        self.traverse(ray, within, &mut |references: &[u32]| {
             found |= references.iter().any(|&number| self.primitives.intersect(number, ray, within).is_some());
             if found { f32::NEG_INFINITY } else { within.max }
         });
         found
+    }
+
+    fn visits(&self, ray: &Ray, within: Interval) -> Visits {
+        if !is_ordinary(ray) {
+            return visits_of_all(&self.primitives);
+        }
+        let mut counter = Counter { octree: self, ray, within, nearest: None, visits: Visits::default() };
+        self.traverse(ray, within, &mut counter);
+        counter.visits
     }
 
     fn statistics(&self) -> Statistics {
@@ -118,5 +129,27 @@ impl Accelerator for Octree {
             cost: self.cost,
             bytes: size_of_val(&self.nodes[..]) + size_of_val(&self.references[..]),
         }
+    }
+}
+
+/// Looks for the nearest hit, and counts.
+struct Counter<'a> {
+    octree: &'a Octree,
+    ray: &'a Ray,
+    within: Interval,
+    nearest: Option<Hit>,
+    visits: Visits,
+}
+
+impl Visitor for Counter<'_> {
+    fn branch(&mut self) {
+        self.visits.nodes += 1;
+    }
+
+    fn leaf(&mut self, references: &[u32]) -> f32 {
+        self.visits.primitives += references.len() as u64;
+        self.nearest =
+            closest_of(&self.octree.primitives, references.iter().copied(), self.ray, self.within, self.nearest);
+        self.nearest.map_or(self.within.max, |hit| hit.t)
     }
 }

@@ -3,12 +3,12 @@
 //! The plain octree spends its time on one box, one plane, one primitive after the other, each waiting for the last. Here the cells are the same:
 //! a cube around all primitives, halved and halved again. But each primitive stands in one cell only, the one of its centre, and what a
 //! ray is tested against is the tight box of what a cell holds. That frees the tree to show its cells in any grouping, and the
-//! grouping that costs a ray least is found.
+//! grouping that costs a ray least is found. Long thin triangles may stand in pieces, each in its own cell, if that costs less.
 //!
 //! ```text
 //!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of eight boxes   --> ray: eight boxes in a step
-//!                    morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
-//!                                                                layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
+//!    pieces.rs       morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
+//!                                  cheapest.rs                   layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
 //! ```
 //!
 //! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
@@ -20,22 +20,25 @@
 mod boxes;
 mod build;
 mod cells;
+mod cheapest;
 mod collapse;
 mod decide;
 mod layout;
 mod morton;
 mod packet;
+mod pieces;
 mod simd;
 mod traverse;
 mod triangles;
+mod visits;
 
 use std::marker::PhantomData;
 
 use geometry::{Hit, Interval, Primitives, Ray};
 
 use crate::{
-    Accelerator, Statistics,
-    none::{any_of_all, closest_of_all},
+    Accelerator, Statistics, Visits,
+    none::{any_of_all, closest_of_all, visits_of_all},
     ordinary::is_ordinary,
 };
 use decide::{Decide, Exact, Watertight};
@@ -145,6 +148,8 @@ struct Tree {
     depth: usize,
     leaves: usize,
     largest_leaf: usize,
+    /// Primitives in leaves, those in several counted in each.
+    references: usize,
     /// What a ray that meets the root's box costs, in visits of a node.
     cost: f32,
 }
@@ -207,7 +212,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
@@ -217,7 +222,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
@@ -235,13 +240,21 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         );
     }
 
+    fn visits(&self, ray: &Ray, within: Interval) -> Visits {
+        if !is_ordinary(ray) {
+            return visits_of_all(&self.primitives);
+        }
+        visits::visits::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+    }
+
     fn statistics(&self) -> Statistics {
-        let Tree { nodes, blocks, mixed, asked, beside, depth, leaves, largest_leaf, cost, .. } = &self.tree;
+        let Tree { nodes, blocks, mixed, asked, beside, depth, leaves, largest_leaf, references, cost, .. } =
+            &self.tree;
         Statistics {
             branches: nodes.len(),
             leaves: *leaves,
             depth: *depth,
-            references: self.primitives.len() as usize,
+            references: *references,
             largest_leaf: *largest_leaf,
             cost: *cost,
             bytes: size_of_val(&nodes[..])

@@ -276,6 +276,28 @@ proptest! {
         }
     }
 
+    /// Crossing wires, whose thin triangles the wide octree cuts in pieces: one triangle stands in many leaves.
+    #[test]
+    fn so_it_does_where_thin_triangles_are_cut_in_pieces(
+        (slope, width, wave) in (0.8_f32..1.2, 0.001_f32..0.02, point()),
+        aims in prop::collection::vec(aim(), 60),
+    ) {
+        let wire = |number: u32| {
+            let (row, piece) = (number / 4, (number / 2 % 2) as f32);
+            let side = if number.is_multiple_of(2) { slope } else { -slope };
+            let at = |along: f32| {
+                let x = 0.06 * row as f32 - 4.0 + side * along;
+                Vec3::new(x, 0.01 * (wave.x * x + wave.y * along), along + 0.01 * wave.z)
+            };
+            Thing::Triangle([at(4.0 * piece - 4.0), at(4.0 * piece), at(4.0 * piece) + width * Vec3::X])
+        };
+        let things: Vec<_> = (0..512).map(wire).collect();
+        let all = primitives(&things);
+        prop_assert!(wide(all.clone()).statistics().references > 2 * things.len(), "they are not cut: {:?}", wide(all.clone()).statistics());
+        let rays: Vec<_> = aims.iter().map(|aim| (aim.ray(&things), Interval::FORWARD)).collect();
+        assert_same_hits(&all, &rays);
+    }
+
     #[test]
     fn so_it_does_with_a_students_own_kernels(
         things in prop::collection::vec(thing(), 8..60),

@@ -49,8 +49,9 @@ fn knot(along: u32, around: u32) -> Scene {
 /// Thin diagonal wires, crossing, of triangles 200 times as long as wide.
 fn fence() -> Scene {
     let mut mesh = Mesh::default();
-    let wires = 1200;
-    let pieces = 25;
+    let (wires, pieces) = (1200, 25);
+    // A wire is square. A piece is sqrt(2) 20 / pieces long, a side sqrt(2) times the radius wide.
+    let radius = 20.0 / pieces as f32 / 200.0;
     for wire in 0..2 * wires {
         let side = if wire % 2 == 0 { 1.0 } else { -1.0 };
         let start = (wire / 2) as f32 / wires as f32 * 40.0 - 20.0;
@@ -58,7 +59,7 @@ fn fence() -> Scene {
             let s = i as f32 / pieces as f32 * 20.0 - 10.0;
             let a = TAU * (j % 4) as f32 / 4.0;
             let wave = 0.02 * (8.0 * s + start).sin();
-            Vec3::new(start + side * s + 0.003 * a.cos(), wave + 0.003 * a.sin(), s)
+            Vec3::new(start + side * s + radius * a.cos(), wave + radius * a.sin(), s)
         };
         let first = mesh.positions.len() as u32;
         for i in 0..=pieces {

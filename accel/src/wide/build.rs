@@ -6,25 +6,13 @@ use rayon::prelude::*;
 
 use super::{
     Tree,
-    cells::{Cell, Content, grow},
+    cells::Cell,
+    cheapest::{Grown, cheapest, is_in_block},
     collapse::{SLOTS, Shown, Union, WHOLE, covers, lone_eighth},
     layout::{Block, Link, Linked, Mixed, Node},
-    morton,
+    morton::Grid,
 };
 use crate::ordinary::FARTHEST;
-
-struct Shapes<'a>(&'a Primitives);
-
-impl Content for Shapes<'_> {
-    fn bounds(&self, primitive: u32) -> Aabb {
-        self.0.bounds(primitive)
-    }
-
-    fn is_in_block(&self, primitive: u32) -> bool {
-        // A kernel of someone else's may accept what the blocks' filter would leave out.
-        self.0.kernels().triangle.is_none() && self.0.triangle(primitive).is_some()
-    }
-}
 
 pub(super) fn build(primitives: &Primitives) -> Tree {
     let fits = |&number: &u32| {
@@ -49,16 +37,16 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
         depth: 0,
         leaves: 0,
         largest_leaf: 0,
+        references: 0,
         cost: 0.0,
     };
     if inside.is_empty() {
         return tree;
     }
-    let row = morton::in_morton_order(&inside, |number| primitives.bounds(number), bounds);
+    let Grown { row, root } = cheapest(primitives, &inside, Grid::around(bounds));
     drop(inside);
-    let root = grow(&row, 0, &Shapes(primitives));
     tree.cost = root.cost_of_a_ray();
-    let row: Vec<u32> = row.into_iter().map(|coded| coded.primitive).collect();
+    tree.references = row.len();
     let mut layout = Layout { primitives, row: &row, tree: &mut tree, block_numbers: Vec::new() };
     match layout.link(Slot { cell: &root, union: WHOLE }, 0) {
         Some(link) => {
@@ -132,9 +120,15 @@ impl Layout<'_> {
             let first = slot.cell.first as usize;
             &self.row[first..first + slot.cell.count as usize]
         });
-        let content = Shapes(self.primitives);
         self.tree.leaves += 1;
-        let (triangles, asked): (Vec<u32>, Vec<u32>) = numbers.partition(|&&number| content.is_in_block(number));
+        let (mut triangles, mut asked) = (Vec::new(), Vec::new());
+        for &number in numbers {
+            let among = if is_in_block(self.primitives, number) { &mut triangles } else { &mut asked };
+            // Pieces of one triangle are asked once.
+            if !among.contains(&number) {
+                among.push(number);
+            }
+        }
         self.tree.largest_leaf = self.tree.largest_leaf.max(triangles.len() + asked.len());
         let first_block = self.block_numbers.len() as u32;
         for chunk in triangles.chunks(8) {
@@ -199,6 +193,58 @@ where
                 if most > 0 {
                     cut_into(Slot { union, ..slot }, most, slots);
                 }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry::Mesh;
+
+    /// Rows of triangles, each so long and so wide, slanting a little more than the last.
+    fn triangles(count: u32, length: f32, width: f32) -> Primitives {
+        let start = |number: u32| Vec3::new((number % 97) as f32, (number / 97 % 89) as f32, (number % 13) as f32);
+        let way = |number: u32| Vec3::new(1.0, (number % 101) as f32 / 50.0 - 1.0, 1.0);
+        let triangle = |number: u32| {
+            let (start, way) = (start(number), length * way(number));
+            [start, start + way, start + way + width * Vec3::X]
+        };
+        let mut primitives = Primitives::default();
+        primitives.add_mesh(Mesh {
+            positions: (0..count).flat_map(triangle).collect(),
+            triangles: (0..count).map(|number| [3 * number, 3 * number + 1, 3 * number + 2]).collect(),
+            ..Mesh::default()
+        });
+        primitives
+    }
+
+    /// All that is traversed.
+    fn bits(tree: &Tree) -> Vec<u32> {
+        let nodes = tree.nodes.iter().flat_map(|node| {
+            let planes = node.planes.as_flattened().as_flattened().iter().map(|plane| plane.to_bits());
+            planes.chain(node.links.map(Link::bits))
+        });
+        let blocks = tree.blocks.iter().flat_map(|block| {
+            let corners = block.corners.as_flattened().as_flattened().iter().map(|corner| corner.to_bits());
+            corners.chain(block.primitives)
+        });
+        [tree.root.bits(), tree.cost.to_bits()].into_iter().chain(nodes).chain(blocks).collect()
+    }
+
+    #[test]
+    fn the_tree_does_not_depend_on_the_number_of_threads() {
+        // The first as they are; of the second, most are cut in pieces.
+        for (primitives, is_cut) in [(triangles(20_000, 0.5, 0.5), false), (triangles(20_000, 20.0, 0.01), true)] {
+            let with = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("some threads");
+                pool.install(|| build(&primitives))
+            };
+            let alone = with(1);
+            assert_eq!(alone.references > 20_000, is_cut, "{}", alone.references);
+            for threads in [2, 5] {
+                assert!(bits(&with(threads)) == bits(&alone), "{threads} threads");
             }
         }
     }

@@ -11,12 +11,12 @@ use super::{
 ///
 /// Chains of cells with a single eighth that holds something are left out: a cell here is a leaf or has two eighths or more.
 pub(super) struct Cell {
-    /// Its primitives in the sorted row: from `first`, so many.
+    /// Its references in the sorted row: from `first`, so many.
     pub(super) first: u32,
     pub(super) count: u32,
-    /// How many of them are not triangles that stand in blocks.
+    /// How many of them are not of triangles that stand in blocks.
     pub(super) asked: u32,
-    /// Tight around its primitives; not the cube.
+    /// Tight around them; not the cube.
     pub(super) bounds: Aabb,
     /// What its content costs a ray, shown in 1 to 8 slots of a wide node.
     pub(super) costs: [f32; SLOTS],
@@ -49,11 +49,13 @@ impl Cell {
     }
 }
 
-/// What the builder knows of a primitive.
+/// What stands in leaves: primitives, or pieces of them. The builder knows each by a number, its reference.
 pub(super) trait Content: Sync {
-    fn bounds(&self, primitive: u32) -> Aabb;
-    /// Whether it is a triangle that stands in a block.
-    fn is_in_block(&self, primitive: u32) -> bool;
+    fn bounds(&self, reference: u32) -> Aabb;
+    /// The primitive that it is, or is a piece of.
+    fn primitive(&self, reference: u32) -> u32;
+    /// Whether it is of a triangle that stands in a block.
+    fn is_in_block(&self, reference: u32) -> bool;
 }
 
 /// A cell of so many triangles is not divided: they fill a block.
@@ -99,8 +101,8 @@ fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
     let mut bounds = Aabb::EMPTY;
     let mut asked = 0;
     for coded in row {
-        bounds = bounds.union(content.bounds(coded.primitive));
-        asked += u32::from(!content.is_in_block(coded.primitive));
+        bounds = bounds.union(content.bounds(coded.reference));
+        asked += u32::from(!content.is_in_block(coded.reference));
     }
     let count = row.len() as u32;
     let cost = leaf_cost(bounds, count, asked);
@@ -133,7 +135,7 @@ mod tests {
     #[test]
     fn a_row_is_cut_at_the_highest_level_where_its_codes_differ() {
         let row: Vec<Coded> = [0b001_000_000, 0b001_010_000, 0b001_010_001, 0b001_111_111]
-            .map(|code| Coded { code, primitive: 0 })
+            .map(|code| Coded { code, reference: 0 })
             .into();
         let parts = eighths(&row);
         assert_eq!((parts[0], parts[1], parts[2], parts[7]), ((0, 1), (1, 1), (1, 3), (3, 4)));
@@ -141,7 +143,7 @@ mod tests {
 
     #[test]
     fn equal_codes_are_cut_into_equal_parts() {
-        let parts = eighths(&[Coded { code: 5, primitive: 0 }; 20]);
+        let parts = eighths(&[Coded { code: 5, reference: 0 }; 20]);
         assert_eq!((parts[0], parts[7]), ((0, 2), (17, 20)));
     }
 }

@@ -44,6 +44,11 @@ pub(super) fn leaf_cost(bounds: Aabb, count: u32, asked: u32) -> f32 {
     half_surface(bounds) * (BLOCK * blocks as f32 + ASKED * asked as f32)
 }
 
+/// What triangles cost whose boxes have so much half surface together.
+pub(super) fn triangle_cost(half_surface: f32) -> f32 {
+    BLOCK / 8.0 * half_surface
+}
+
 /// Half of what a box shows from all sides.
 pub(super) fn half_surface(bounds: Aabb) -> f32 {
     let edge = bounds.extent();

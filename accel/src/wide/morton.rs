@@ -18,31 +18,49 @@ use rayon::prelude::*;
 /// Levels that a code tells apart: 3 x 21 bits.
 pub(super) const LEVELS: u32 = 21;
 
-/// A primitive with the code of its centre.
+/// What stands in leaves, by number, with the code of its centre.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Coded {
     pub(super) code: u64,
-    pub(super) primitive: u32,
+    pub(super) reference: u32,
 }
 
-/// The primitives with these boxes in the order of their codes, equal codes by number. The root is the cube around `bounds`.
-pub(super) fn in_morton_order(numbers: &[u32], bounds_of: impl Fn(u32) -> Aabb + Sync, bounds: Aabb) -> Vec<Coded> {
-    let half = 0.5 * bounds.extent().max_element();
-    let lowest = bounds.center() - half;
-    let per_unit = (1 << LEVELS) as f32 / (2.0 * half).max(f32::MIN_POSITIVE);
-    let coded = |&primitive: &u32| {
-        let place = (bounds_of(primitive).center() - lowest) * per_unit;
-        Coded { code: code(place), primitive }
-    };
-    let mut all: Vec<Coded> = numbers.par_iter().with_min_len(4096).map(coded).collect();
+/// The references with these boxes in the order of their codes, equal codes by number.
+pub(super) fn in_morton_order(references: &[u32], bounds_of: impl Fn(u32) -> Aabb + Sync, grid: Grid) -> Vec<Coded> {
+    let coded = |&reference: &u32| Coded { code: code(grid.cell(bounds_of(reference).center())), reference };
+    let mut all: Vec<Coded> = references.par_iter().with_min_len(4096).map(coded).collect();
     sort(&mut all);
     all
 }
 
-/// The code of the cell of the finest level that a point is in. A point outside counts as in the nearest.
-fn code(place: Vec3) -> u64 {
-    let along = |place: f32| spread((place as u64).min((1 << LEVELS) - 1));
-    along(place.x) << 2 | along(place.y) << 1 | along(place.z)
+/// The cells of the finest level: the root cube, cut in 2^21 along each axis.
+#[derive(Clone, Copy)]
+pub(super) struct Grid {
+    lowest: Vec3,
+    per_unit: f32,
+}
+
+impl Grid {
+    /// The root is the cube around a box.
+    pub(super) fn around(bounds: Aabb) -> Self {
+        let half = 0.5 * bounds.extent().max_element();
+        Self { lowest: bounds.center() - half, per_unit: (1 << LEVELS) as f32 / (2.0 * half).max(f32::MIN_POSITIVE) }
+    }
+
+    /// The cell that a point is in, counted along x, y, z. A point outside counts as in the nearest.
+    pub(super) fn cell(self, point: Vec3) -> [u32; 3] {
+        ((point - self.lowest) * self.per_unit).to_array().map(|place| (place as u32).min((1 << LEVELS) - 1))
+    }
+
+    /// Where a cell begins on an axis.
+    pub(super) fn plane(self, axis: usize, cell: u32) -> f32 {
+        self.lowest[axis] + cell as f32 / self.per_unit
+    }
+}
+
+fn code(cell: [u32; 3]) -> u64 {
+    let [x, y, z] = cell.map(|along| spread(u64::from(along)));
+    x << 2 | y << 1 | z
 }
 
 /// The lowest 21 bits, three places apart.
@@ -80,7 +98,7 @@ fn sort(all: &mut Vec<Coded>) {
 fn sort_below(part: &mut [Coded], spare: &mut [Coded], digits: u32) {
     // Clearing and adding up the counters of every digit costs more than to compare a few.
     if part.len() < 1 << DIGIT {
-        part.sort_unstable_by_key(|coded| (coded.code, coded.primitive));
+        part.sort_unstable_by_key(|coded| (coded.code, coded.reference));
         return;
     }
     let (mut from, mut to) = (&mut *part, &mut *spare);
@@ -119,11 +137,12 @@ mod tests {
 
     #[test]
     fn a_codes_digits_are_the_eighths_from_the_root_down() {
-        let half = (1 << (LEVELS - 1)) as f32;
-        assert_eq!(code(Vec3::new(half, 0.0, half)) >> (3 * LEVELS - 3), 0b101);
-        assert_eq!(code(Vec3::new(half, 0.5 * half, half)) >> (3 * LEVELS - 6), 0b101_010);
-        assert_eq!(code(Vec3::splat(-1.0)), 0);
-        assert_eq!(code(Vec3::splat(1e30)), (1 << 63) - 1);
+        let grid = Grid::around(Aabb { min: Vec3::splat(2.0), max: Vec3::splat(4.0) });
+        let code = |x, y, z| code(grid.cell(Vec3::new(x, y, z)));
+        assert_eq!(code(3.0, 2.0, 3.0) >> (3 * LEVELS - 3), 0b101);
+        assert_eq!(code(3.0, 2.5, 3.0) >> (3 * LEVELS - 6), 0b101_010);
+        assert_eq!(code(-1.0, -1.0, -1.0), 0);
+        assert_eq!(code(1e30, 1e30, 1e30), (1 << 63) - 1);
     }
 
     #[test]
@@ -132,9 +151,9 @@ mod tests {
         let code = |i: u32| {
             if i.is_multiple_of(3) { u64::from(i) << 40 } else { u64::from(i.wrapping_mul(2_654_435_761) >> 12) }
         };
-        let mut all: Vec<Coded> = (0..20_000).map(|i| Coded { code: code(i), primitive: i }).collect();
+        let mut all: Vec<Coded> = (0..20_000).map(|i| Coded { code: code(i), reference: i }).collect();
         let mut expected = all.clone();
-        expected.sort_by_key(|coded| (coded.code, coded.primitive));
+        expected.sort_by_key(|coded| (coded.code, coded.reference));
         sort(&mut all);
         assert_eq!(all, expected);
     }
