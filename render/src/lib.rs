@@ -21,6 +21,7 @@ mod dialect;
 mod film;
 mod inventory;
 mod light_samples;
+mod lit;
 mod lost_rays;
 mod modules;
 mod passes;

@@ -79,15 +79,17 @@ impl<'a> Passes<'a> {
                 let bucket = bucket_pixels(window, self.settings.buckets.size, tile);
                 let reaching = bucket.reaching(window, area);
                 let made = bucket_of(reaching, plan, &mut camera_rays);
-                let seen = reaching.pixels().zip(&made).filter(|&(place, _)| bucket.contains(place));
-                let colors: Vec<Color> = seen.map(|(place, made)| plan.color(place, made)).collect();
+                let mut colors = Vec::with_capacity(made.len());
+                bucket.pixels().for_each(|place| colors.push(plan.color(place, &made[reaching.index(place)])));
 
                 let (pass, finished) = &mut *progress.lock().unwrap_or_else(PoisonError::into_inner);
                 let (rays, lost) = camera_rays.take_counts();
                 pass.rays += rays;
                 pass.lost.append(lost);
-                for (made, place) in made.into_iter().zip(reaching.pixels()) {
-                    pass.pixels[area.index(place)] = made;
+                let width = reaching.width as usize;
+                for (y, row) in (reaching.y..).zip(made.chunks_exact(width)) {
+                    let start = area.index([reaching.x, y]);
+                    pass.pixels[start..start + width].copy_from_slice(row);
                 }
                 *finished += 1;
                 let finished_before = self.done * tiles;
@@ -112,7 +114,9 @@ impl<'a> Passes<'a> {
 impl<T> Pass<T> {
     /// The colours that its plan gives the pixels of its area.
     pub(crate) fn colors(&self, plan: &impl Plan<Pixel = T>, area: Crop) -> Vec<Color> {
-        area.pixels().zip(&self.pixels).map(|(place, made)| plan.color(place, made)).collect()
+        let mut colors = Vec::with_capacity(self.pixels.len());
+        area.pixels().for_each(|place| colors.push(plan.color(place, &self.pixels[area.index(place)])));
+        colors
     }
 }
 
@@ -120,10 +124,10 @@ impl<T> Pass<T> {
 fn bucket_of<P: Plan>(area: Crop, plan: &P, camera_rays: &mut CameraRays<'_>) -> Vec<P::Pixel> {
     let mut made = vec![P::Pixel::default(); area.width as usize * area.height as usize];
     let mut add = |pixel: usize, color| plan.add(&mut made[pixel], color);
-    for pixel in area.pixels_by_squares() {
+    area.pixels_by_squares().for_each(|pixel| {
         let (sample, indices) = plan.rays(pixel);
         camera_rays.ask(area.index(pixel), sample, indices, &mut add);
-    }
+    });
     camera_rays.tell(&mut add);
     made
 }
