@@ -27,17 +27,17 @@ class Pictures(unittest.TestCase):
         self.path, self.other = Path(folder.name) / "a.png", Path(folder.name) / "b.png"
 
     def test_every_filter_is_undone(self):
-        # Two pixels a row. Each row is 10 20 30 40 50 60 once the filter is undone, by hand: less the left pixel (1), less the one
+        # Two pixels a row. Each row is 11 20 30 40 50 60 once the filter is undone, by hand: less the left pixel (1), less the one
         # above (2), less the mean of both, rounded down (3), less the nearest of left, above and corner to left + above - corner (4).
         rows = [
-            [0, 10, 20, 30, 40, 50, 60],
-            [1, 10, 20, 30, 30, 30, 30],
+            [0, 11, 20, 30, 40, 50, 60],
+            [1, 11, 20, 30, 29, 30, 30],
             [2, 0, 0, 0, 0, 0, 0],
-            [3, 5, 10, 15, 15, 15, 15],
+            [3, 6, 10, 15, 15, 15, 15],
             [4, 0, 0, 0, 0, 0, 0],
         ]
         write(self.path, 2, rows, 3)
-        self.assertEqual(pictures.read(self.path), (2, 5, bytes([10, 20, 30, 40, 50, 60] * 5)))
+        self.assertEqual(pictures.read(self.path), (2, 5, bytes([11, 20, 30, 40, 50, 60] * 5)))
 
     def test_the_fourth_filter_may_choose_the_corner(self):
         # Left 10, above 30, corner 20: 10 + 30 - 20 is 20, to which the corner is nearest.
