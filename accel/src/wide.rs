@@ -150,7 +150,7 @@ struct Tree {
     largest_leaf: usize,
     /// Primitives in leaves, those in several counted in each.
     references: usize,
-    /// What a ray that meets the root's box costs, in visits of a node.
+    /// What a ray that meets the root's box costs, in tests of a primitive.
     cost: f32,
 }
 

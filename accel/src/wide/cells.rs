@@ -3,7 +3,7 @@
 use geometry::Aabb;
 
 use super::{
-    collapse::{Cuts, SLOTS, half_surface, leaf_cost},
+    collapse::{Cuts, SLOTS, in_primitives, leaf_cost},
     morton::{Coded, LEVELS},
 };
 
@@ -42,10 +42,10 @@ impl Divided {
 }
 
 impl Cell {
-    /// What a ray that meets its box costs, in visits of a node.
+    /// What a ray that meets its box costs, in tests of a primitive.
     pub(super) fn cost_of_a_ray(&self) -> f32 {
-        let surface = half_surface(self.bounds);
-        if surface > 0.0 { self.costs[0] / surface } else { 0.0 }
+        let surface = self.bounds.half_surface();
+        if surface > 0.0 { in_primitives(self.costs[0] / surface) } else { 0.0 }
     }
 }
 

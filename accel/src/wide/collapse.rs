@@ -32,6 +32,11 @@ const BLOCK: f32 = 0.7;
 /// What asking one primitive costs.
 const ASKED: f32 = 0.5;
 
+/// A cost counted in primitives that are asked one by one: the unit that all accelerators share.
+pub(super) fn in_primitives(cost: f32) -> f32 {
+    cost / ASKED
+}
+
 /// The most primitives in a leaf.
 pub(super) const MOST_IN_A_LEAF: u32 = 16;
 
@@ -41,18 +46,12 @@ pub(super) fn leaf_cost(bounds: Aabb, count: u32, asked: u32) -> f32 {
         return f32::INFINITY;
     }
     let blocks = (count - asked).div_ceil(8);
-    half_surface(bounds) * (BLOCK * blocks as f32 + ASKED * asked as f32)
+    bounds.half_surface() * (BLOCK * blocks as f32 + ASKED * asked as f32)
 }
 
 /// What triangles cost whose boxes have so much half surface together.
 pub(super) fn triangle_cost(half_surface: f32) -> f32 {
     BLOCK / 8.0 * half_surface
-}
-
-/// Half of what a box shows from all sides.
-pub(super) fn half_surface(bounds: Aabb) -> f32 {
-    let edge = bounds.extent();
-    edge.x * edge.y + edge.y * edge.z + edge.z * edge.x
 }
 
 /// A union of a cell's eighths along the axes: 9 x + 3 y + z, each 0 (lower), 1 (upper) or 2 (both).
@@ -210,7 +209,7 @@ fn cheapest(shapes: &[Shape; UNIONS], union: Union) -> (Shape, [Way; SLOTS]) {
         }
     }
     let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
-    let as_node = half_surface(whole.bounds) * NODE + costs[SLOTS];
+    let as_node = whole.bounds.half_surface() * NODE + costs[SLOTS];
     (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
     for slots in 2..=SLOTS {
         // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.
