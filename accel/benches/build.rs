@@ -1,19 +1,15 @@
 //! What it takes to build the wide octree, from ten thousand triangles to ten million: time, and memory at the end and at the peak.
 //!
 //! ```console
-//! $ cargo bench -p accel --bench build                        # a few minutes; with a number, up to so many triangles
-//! $ cargo bench -p accel --bench build --features peers       # beside Embree's own time
+//! $ cargo bench -p accel --bench build                 # two minutes
+//! $ cargo bench -p accel --bench build -- 1000000      # up to so many triangles
 //! ```
 //!
 //! The mesh is the bumpy knot of the bench against peers, finer and finer. Times are the least of some rounds, so that they hold on a busy
 //! machine; `ns per n log n` is the time on one thread over the triangles and their logarithm: it does not grow. Bytes are what the
-//! accelerator takes beside the primitives themselves, counted by the allocator.
+//! accelerator takes beside the primitives themselves, counted by the allocator. The bench against peers has Embree's time to build.
 #![allow(clippy::print_stdout, missing_docs, unreachable_pub)]
 
-#[cfg(feature = "peers")]
-#[allow(dead_code)]
-#[path = "peers/embree.rs"]
-mod embree;
 #[allow(dead_code)]
 #[path = "peers/meshes.rs"]
 mod meshes;
@@ -29,36 +25,28 @@ static MEMORY: PeakAlloc = PeakAlloc;
 
 fn main() {
     let most = std::env::args().skip(1).filter_map(|word| word.parse().ok()).next().unwrap_or(10_000_000);
-    println!(
-        "| triangles | 1 thread, ms | 2 threads, ms | ns per n log n | bytes a triangle | peak, of these | Embree, 1 and 2 threads, ms |"
-    );
-    println!("|--:|--:|--:|--:|--:|--:|--:|");
+    println!("| triangles | 1 thread, ms | 2 threads, ms | ns per n log n | bytes a triangle | peak, of these |");
+    println!("|--:|--:|--:|--:|--:|--:|");
     for triangles in [10_000, 100_000, 1_000_000, 10_000_000].into_iter().filter(|&triangles| triangles <= most) {
         let mesh = knot(triangles);
         let rounds = if triangles > 1_000_000 { 2 } else { 7 };
         let mut primitives = Primitives::default();
-        primitives.add_mesh(mesh.clone());
+        primitives.add_mesh(mesh);
         let count = primitives.len() as usize;
-        let (mut ours, mut embrees) = ([f64::INFINITY; 2], [f64::INFINITY; 2]);
+        let mut times = [f64::INFINITY; 2];
         let mut memory = Memory { built: 0, peak: 0 };
         for _ in 0..rounds {
             for threads in [1, 2] {
                 let (time, of_this) = build(&primitives, threads);
-                ours[threads - 1] = ours[threads - 1].min(time);
+                times[threads - 1] = times[threads - 1].min(time);
                 memory = Memory { built: of_this.built, peak: memory.peak.max(of_this.peak) };
-                embrees[threads - 1] = embrees[threads - 1].min(embree(&mesh, threads));
             }
         }
-        let embrees = if embrees[0].is_finite() {
-            format!("{:.1} {:.1}", 1e3 * embrees[0], 1e3 * embrees[1])
-        } else {
-            "-".to_owned()
-        };
         println!(
-            "| {count} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {embrees} |",
-            1e3 * ours[0],
-            1e3 * ours[1],
-            1e9 * ours[0] / (count as f64 * (count as f64).log2()),
+            "| {count} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} |",
+            1e3 * times[0],
+            1e3 * times[1],
+            1e9 * times[0] / (count as f64 * (count as f64).log2()),
             memory.built as f64 / count as f64,
             memory.peak as f64 / memory.built as f64,
         );
@@ -82,18 +70,6 @@ fn build(primitives: &Primitives, threads: usize) -> (f64, Memory) {
     let memory = Memory { built: MEMORY.current_usage() - before, peak: MEMORY.peak_usage() - before };
     drop(accelerator);
     (time, memory)
-}
-
-#[cfg(feature = "peers")]
-fn embree(mesh: &Mesh, threads: usize) -> f64 {
-    let start = Instant::now();
-    embree::Embree::build(&mesh.positions, &mesh.triangles, embree::Mode::Default, threads);
-    start.elapsed().as_secs_f64()
-}
-
-#[cfg(not(feature = "peers"))]
-fn embree(_: &Mesh, _: usize) -> f64 {
-    f64::INFINITY
 }
 
 /// The knot, of about so many triangles.

@@ -214,7 +214,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
@@ -224,7 +224,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, within),
+            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
         )
     }
 
@@ -246,7 +246,7 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
         if !is_ordinary(ray) {
             return visits_of_all(&self.primitives);
         }
-        visits::visits::<I, D>(self.isa, &self.tree, &self.primitives, ray, within)
+        visits::visits::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
     }
 
     fn statistics(&self) -> Statistics {

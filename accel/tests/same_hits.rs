@@ -263,6 +263,25 @@ proptest! {
         assert_same_hits(&all, &rays);
     }
 
+    /// Sixteen rays a few roundings apart, aimed at a corner or an edge: a packet finds what each ray finds alone.
+    #[test]
+    fn watertight_packets_hit_what_each_ray_hits(Enclosed { mesh, rays } in closed_meshes()) {
+        let mut all = Primitives::default();
+        all.add_mesh(mesh);
+        let wide = accel::wide_watertight(all);
+        for ray in &rays {
+            let beside = |step: u16| {
+                let factor = |bits: u16| 1.0 + f32::from(bits & 3) * f32::EPSILON;
+                ray.direction * Vec3::new(factor(step), factor(step >> 1), factor(step >> 2))
+            };
+            let bundle: Vec<_> = (0..16).map(|step| Ray::new(ray.origin, beside(step))).collect();
+            let mut hits = vec![None; bundle.len()];
+            wide.closest_many(&bundle, &mut hits);
+            let alone: Vec<_> = bundle.iter().map(|ray| wide.closest(ray, Interval::FORWARD)).collect();
+            prop_assert_eq!(hits, alone);
+        }
+    }
+
     #[test]
     fn watertight_hits_leave_no_gap_in_closed_meshes(Enclosed { mesh, rays } in closed_meshes()) {
         let mut all = Primitives::default();

@@ -45,4 +45,4 @@ pub use sphere::Sphere;
 pub use surface::{RayOrigin, Surface};
 pub use transform::Transform;
 pub use triangle::Triangle;
-pub use triangle_probe::TriangleProbe;
+pub use triangle_probe::{LanesMet, TriangleLanes, TriangleProbe, intersect_lanes};

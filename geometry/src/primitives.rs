@@ -195,7 +195,11 @@ impl Primitives {
     /// The surface at a hit that [`Self::intersect`] has found for the same ray; a mesh's own normals are interpolated.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let at = hit.intersection();
-        let surface = self.shape(hit.primitive).surface(ray, &at);
+        let surface = match self.numbered[hit.primitive as usize] {
+            Number::Triangle(index) => self.shapes.triangles[index as usize].surface(ray, &at),
+            Number::Sphere(index) => self.shapes.spheres[index as usize].surface(ray, &at),
+            Number::Ellipsoid(index) => self.shapes.ellipsoids[index as usize].surface(ray, &at),
+        };
         let shading_normal = self
             .mesh_corners(hit.primitive, |mesh| &mesh.normals)
             .and_then(|normals| interpolate(normals.map(|normal| normal.as_dvec3()), at.u, at.v).try_normalize());

@@ -45,7 +45,7 @@ impl Primitive for Triangle {
     /// not `o + t d`, which on slivers is 255,000 u off.
     fn surface(&self, _ray: &Ray, at: &Intersection) -> Surface {
         let position = self.point(at.u, at.v).as_vec3();
-        let magnitude = self.bounds().magnitude();
+        let magnitude = self.corners.map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f32::max);
         Surface::rounded(position, magnitude, self.scaled_normal().normalize().as_vec3())
     }
 

@@ -1,9 +1,10 @@
+use std::ops::Range;
+
 use shading::Color;
 
 use crate::{
     Crop, LostRays, Purpose, RayCounts, Sample, Settings,
-    passes::{Pass, Passes},
-    tracer::Tracer,
+    passes::{Passes, Plan},
 };
 
 /// A pixel's neighbours are those up to so many columns and rows away. Two find little more, and spread the rays wider.
@@ -25,29 +26,22 @@ const REACH: u32 = 1;
 ///
 /// With rays in proportion to the standard deviation, the error of the picture is the least that so many rays can give it. (Neyman: On the Two
 /// Different Aspects of the Representative Method, 1934.)
-pub(crate) fn render(settings: &Settings, mut passes: Passes<'_>) -> Option<Pass<Color>> {
+pub(crate) fn render(settings: &Settings, mut passes: Passes<'_>) -> Option<(Vec<Color>, RayCounts, LostRays)> {
     let window = settings.window();
     let around = window.grown(REACH, settings.size);
-    let least = settings.least_rays();
-    let first = passes.pass(
-        around,
-        |pixel, tracer| FirstRays::trace(settings, pixel, tracer),
-        |first| first.total / least as f32,
-    )?;
-    let second = passes.pass(
-        window,
-        |pixel, tracer| {
-            let seen = neighbours(pixel, around).map(|place| &first.pixels[around.index(place)]);
-            let count = count(settings, deviation(seen, least));
-            let rest: Color = (least..count).map(|index| tracer.camera_ray(sample(settings, pixel, index))).sum();
-            (first.pixels[around.index(pixel)].total + rest) / count as f32
-        },
-        |&color| color,
-    )?;
-    let (mut rays, mut lost): (RayCounts, LostRays) = (first.rays, first.lost);
+    let first = passes.pass(around, &First { settings })?;
+    let plan = Second { settings, around, first: &first.pixels };
+    let second = passes.pass(window, &plan)?;
+    let pixels = second.colors(&plan, window);
+    let (mut rays, mut lost) = (first.rays, first.lost);
     rays += second.rays;
     lost.append(second.lost);
-    Some(Pass { rays, lost, ..second })
+    Some((pixels, rays, lost))
+}
+
+/// The first pass: the least rays for each pixel.
+struct First<'a> {
+    settings: &'a Settings,
 }
 
 /// What a pixel's first rays brought.
@@ -60,19 +54,59 @@ struct FirstRays {
     squares: [f64; 3],
 }
 
-impl FirstRays {
-    fn trace(settings: &Settings, pixel: [u32; 2], tracer: &Tracer<'_>) -> Self {
-        let mut first = Self::default();
-        for index in 0..settings.least_rays() {
-            let color = tracer.camera_ray(sample(settings, pixel, index));
-            first.total += color;
-            for (channel, value) in color.to_array().into_iter().enumerate() {
-                let seen = seen(value);
-                first.seen[channel] += seen;
-                first.squares[channel] += seen * seen;
-            }
+impl Plan for First<'_> {
+    type Pixel = FirstRays;
+
+    fn rays(&self, pixel: [u32; 2]) -> (Sample, Range<u32>) {
+        (samples(self.settings, pixel), 0..self.settings.least_rays())
+    }
+
+    fn add(&self, first: &mut FirstRays, color: Color) {
+        first.total += color;
+        for (channel, value) in color.to_array().into_iter().enumerate() {
+            let seen = seen(value);
+            first.seen[channel] += seen;
+            first.squares[channel] += seen * seen;
         }
-        first
+    }
+
+    fn color(&self, _pixel: [u32; 2], first: &FirstRays) -> Color {
+        first.total / self.settings.least_rays() as f32
+    }
+}
+
+/// The second pass: the rest of each pixel's rays.
+struct Second<'a> {
+    settings: &'a Settings,
+    /// The first pass' area and pixels.
+    around: Crop,
+    first: &'a [FirstRays],
+}
+
+/// What the rest of a pixel's rays brought.
+#[derive(Clone, Copy, Default)]
+struct Rest {
+    total: Color,
+    rays: u32,
+}
+
+impl Plan for Second<'_> {
+    type Pixel = Rest;
+
+    fn rays(&self, pixel: [u32; 2]) -> (Sample, Range<u32>) {
+        let least = self.settings.least_rays();
+        let seen = neighbours(pixel, self.around).map(|place| &self.first[self.around.index(place)]);
+        (samples(self.settings, pixel), least..count(self.settings, deviation(seen, least)))
+    }
+
+    fn add(&self, rest: &mut Rest, color: Color) {
+        rest.total += color;
+        rest.rays += 1;
+    }
+
+    fn color(&self, pixel: [u32; 2], rest: &Rest) -> Color {
+        let first = self.first[self.around.index(pixel)].total;
+        (first + rest.total) / (self.settings.least_rays() + rest.rays) as f32
     }
 }
 
@@ -82,9 +116,9 @@ fn seen(channel: f32) -> f64 {
 }
 
 /// Any number of them may be asked for, so their zones are those of the fewest.
-fn sample(settings: &Settings, pixel: [u32; 2], index: u32) -> Sample {
+fn samples(settings: &Settings, pixel: [u32; 2]) -> Sample {
     let zones = 1 << settings.least_aa.min(settings.aa);
-    Sample { seed: settings.seed, pixel, zones, count: settings.rays_per_pixel(), index, purpose: Purpose::Pixel }
+    Sample { seed: settings.seed, pixel, zones, count: settings.rays_per_pixel(), index: 0, purpose: Purpose::Pixel }
 }
 
 /// The pixels around one, without itself, within an area.

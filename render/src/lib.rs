@@ -14,12 +14,14 @@ mod adaptive;
 mod assemble;
 mod buckets;
 mod camera;
+mod camera_rays;
 #[cfg(feature = "conformance")]
 pub mod conformance;
 mod dialect;
 mod film;
 mod inventory;
 mod light_samples;
+mod lit;
 mod lost_rays;
 mod modules;
 mod passes;

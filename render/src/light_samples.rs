@@ -78,14 +78,14 @@ impl<'a> LightPlan<'a> {
         let chosen = if draw.turns as usize == lights.len() {
             draw.turn as usize
         } else {
-            let place = sampler(Sample {
+            let wanted = Sample {
                 zones: 1,
                 count: sample.count.saturating_mul(draw.turns),
                 index: sample.index.wrapping_mul(draw.turns).wrapping_add(draw.turn),
                 purpose: Purpose::Light { cluster: draw.cluster, path },
                 ..sample
-            });
-            (place.x * lights.len() as f64) as usize
+            };
+            (wanted.point(sampler).x * lights.len() as f64) as usize
         };
         let light = *lights.get(chosen)?;
         Some(PointLight { color: light.color * (lights.len() as f32 / draw.turns as f32), ..light })

@@ -1,4 +1,4 @@
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::{
     Mutex, PoisonError,
     atomic::{AtomicBool, AtomicUsize, Ordering},
@@ -7,7 +7,10 @@ use std::sync::{
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use shading::Color;
 
-use crate::{Crop, FinishedBucket, LostRays, RayCounts, Scene, Settings, Tile, buckets::bucket_pixels, tracer::Tracer};
+use crate::{
+    Crop, FinishedBucket, LostRays, RayCounts, Sample, Scene, Settings, Tile, buckets::bucket_pixels,
+    camera_rays::CameraRays,
+};
 
 /// Goes over a picture's buckets, once or more often, with all threads.
 pub(crate) struct Passes<'a> {
@@ -20,6 +23,21 @@ pub(crate) struct Passes<'a> {
     /// How many passes there will be, and how many there were.
     planned: usize,
     done: usize,
+}
+
+/// What a pass asks of each pixel, and what it makes of the answers.
+pub(crate) trait Plan: Sync {
+    /// What is made of a pixel; before the first of its rays, the default.
+    type Pixel: Copy + Default + Send;
+
+    /// The rays to trace: the pixel's samples, and which of them.
+    fn rays(&self, pixel: [u32; 2]) -> (Sample, Range<u32>);
+
+    /// Adds the light of the next ray.
+    fn add(&self, made: &mut Self::Pixel, color: Color);
+
+    /// The pixel's colour, after the last.
+    fn color(&self, pixel: [u32; 2], made: &Self::Pixel) -> Color;
 }
 
 /// What a pass has made.
@@ -43,37 +61,35 @@ impl<'a> Passes<'a> {
         Self { scene, settings, on_bucket, threads, tiles: ordered_tiles(scene, settings), planned, done: 0 }
     }
 
-    /// Renders each pixel of `area`, which is the settings' window or reaches beyond it, and tells `color_of` each in the window. `None` if
-    /// that breaks it off.
-    pub(crate) fn pass<T: Copy + Default + Send>(
-        &mut self,
-        area: Crop,
-        pixel: impl Fn([u32; 2], &Tracer<'_>) -> T + Sync,
-        color_of: impl Fn(&T) -> Color + Sync,
-    ) -> Option<Pass<T>> {
+    /// Renders each pixel of `area`, which is the settings' window or reaches beyond it, and tells the colours of those in the window. `None`
+    /// if that breaks it off.
+    pub(crate) fn pass<P: Plan>(&mut self, area: Crop, plan: &P) -> Option<Pass<P::Pixel>> {
         let window = self.settings.window();
         let (tiles, total) = (self.tiles.len(), self.planned * self.tiles.len());
         let next = AtomicUsize::new(0);
-        let pixels = vec![T::default(); area.width as usize * area.height as usize];
+        let pixels = vec![P::Pixel::default(); area.width as usize * area.height as usize];
         let empty = Pass { pixels, rays: RayCounts::default(), lost: LostRays::default() };
         let progress = Mutex::new((empty, 0));
         let broken_off = AtomicBool::new(false);
 
         // Each thread takes the next bucket in the order until none is left.
         let work = || {
+            let mut camera_rays = CameraRays::new(self.scene, self.settings);
             while let Some(&tile) = self.tiles.get(next.fetch_add(1, Ordering::Relaxed)) {
                 let bucket = bucket_pixels(window, self.settings.buckets.size, tile);
                 let reaching = bucket.reaching(window, area);
-                let tracer = Tracer::new(self.scene, self.settings);
-                let made: Vec<T> = reaching.pixels().map(|place| pixel(place, &tracer)).collect();
-                let seen = reaching.pixels().zip(&made).filter(|&(place, _)| bucket.contains(place));
-                let colors: Vec<Color> = seen.map(|(_, made)| color_of(made)).collect();
+                let made = bucket_of(reaching, plan, &mut camera_rays);
+                let mut colors = Vec::with_capacity(made.len());
+                bucket.pixels().for_each(|place| colors.push(plan.color(place, &made[reaching.index(place)])));
 
                 let (pass, finished) = &mut *progress.lock().unwrap_or_else(PoisonError::into_inner);
-                pass.rays += tracer.rays();
-                pass.lost.append(tracer.lost());
-                for (made, place) in made.into_iter().zip(reaching.pixels()) {
-                    pass.pixels[area.index(place)] = made;
+                let (rays, lost) = camera_rays.take_counts();
+                pass.rays += rays;
+                pass.lost.append(lost);
+                let width = reaching.width as usize;
+                for (y, row) in (reaching.y..).zip(made.chunks_exact(width)) {
+                    let start = area.index([reaching.x, y]);
+                    pass.pixels[start..start + width].copy_from_slice(row);
                 }
                 *finished += 1;
                 let finished_before = self.done * tiles;
@@ -93,6 +109,27 @@ impl<'a> Passes<'a> {
         let (pass, _) = progress.into_inner().unwrap_or_else(PoisonError::into_inner);
         (!broken_off.into_inner()).then_some(pass)
     }
+}
+
+impl<T> Pass<T> {
+    /// The colours that its plan gives the pixels of its area.
+    pub(crate) fn colors(&self, plan: &impl Plan<Pixel = T>, area: Crop) -> Vec<Color> {
+        let mut colors = Vec::with_capacity(self.pixels.len());
+        area.pixels().for_each(|place| colors.push(plan.color(place, &self.pixels[area.index(place)])));
+        colors
+    }
+}
+
+/// What a plan makes of a bucket's pixels, row by row from the top.
+fn bucket_of<P: Plan>(area: Crop, plan: &P, camera_rays: &mut CameraRays<'_>) -> Vec<P::Pixel> {
+    let mut made = vec![P::Pixel::default(); area.width as usize * area.height as usize];
+    let mut add = |pixel: usize, color| plan.add(&mut made[pixel], color);
+    area.pixels_by_squares().for_each(|pixel| {
+        let (sample, indices) = plan.rays(pixel);
+        camera_rays.ask(area.index(pixel), sample, indices, &mut add);
+    });
+    camera_rays.tell(&mut add);
+    made
 }
 
 fn ordered_tiles(scene: &Scene, settings: &Settings) -> Vec<Tile> {

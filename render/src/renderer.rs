@@ -1,8 +1,11 @@
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use shading::Color;
 
-use crate::{Allotment, Crop, Film, Purpose, Sample, Scene, Settings, adaptive, passes::Passes, tracer::Tracer};
+use crate::{
+    Allotment, Crop, Film, Purpose, Sample, Scene, Settings, adaptive,
+    passes::{Passes, Plan},
+};
 
 /// What is told of each bucket when it is done.
 #[derive(Clone, Copy, Debug)]
@@ -27,17 +30,17 @@ pub fn render(
     on_bucket: &(dyn Fn(&FinishedBucket<'_>) -> ControlFlow<()> + Sync),
 ) -> Option<Film> {
     let window = settings.window();
-    let pass = match settings.allotment {
+    let (pixels, rays, lost) = match settings.allotment {
         Allotment::Adaptive if settings.least_rays() < settings.rays_per_pixel() => {
             adaptive::render(settings, Passes::new(scene, settings, on_bucket, 2))?
         }
         _ => {
-            let color = |pixel, tracer: &Tracer<'_>| pixel_color(settings, pixel, tracer);
-            Passes::new(scene, settings, on_bucket, 1).pass(window, color, |&color| color)?
+            let plan = Even { settings };
+            let pass = Passes::new(scene, settings, on_bucket, 1).pass(window, &plan)?;
+            (pass.colors(&plan, window), pass.rays, pass.lost)
         }
     };
-    let lost = pass.lost.in_window(window);
-    Some(Film { width: window.width, height: window.height, pixels: pass.pixels, rays: pass.rays, lost })
+    Some(Film { width: window.width, height: window.height, pixels, rays, lost: lost.in_window(window) })
 }
 
 /// The mean over a pixel's rays: `samples` in each of its 2^aa x 2^aa zones, at random places of the zone.
@@ -49,10 +52,25 @@ pub fn render(
 ///   |.  |  .|
 ///   +---+---+
 /// ```
-fn pixel_color(settings: &Settings, pixel: [u32; 2], tracer: &Tracer<'_>) -> Color {
-    let count = settings.rays_per_pixel();
-    let first =
-        Sample { seed: settings.seed, pixel, zones: 1 << settings.aa, count, index: 0, purpose: Purpose::Pixel };
-    let total: Color = (0..count).map(|index| tracer.camera_ray(Sample { index, ..first })).sum();
-    total / count as f32
+struct Even<'a> {
+    settings: &'a Settings,
+}
+
+impl Plan for Even<'_> {
+    /// The sum over its rays.
+    type Pixel = Color;
+
+    fn rays(&self, pixel: [u32; 2]) -> (Sample, Range<u32>) {
+        let Settings { seed, aa, .. } = *self.settings;
+        let count = self.settings.rays_per_pixel();
+        (Sample { seed, pixel, zones: 1 << aa, count, index: 0, purpose: Purpose::Pixel }, 0..count)
+    }
+
+    fn add(&self, total: &mut Color, color: Color) {
+        *total += color;
+    }
+
+    fn color(&self, _pixel: [u32; 2], &total: &Color) -> Color {
+        total / self.settings.rays_per_pixel() as f32
+    }
 }

@@ -44,9 +44,26 @@ pub enum Purpose {
     },
 }
 
-/// Where samples fall: a point of the unit square (1 excluded) as a function of which is wanted. No state, so that the picture depends
-/// on no order. A pixel with a single ray does not ask for a place in the pixel: it takes the centre.
-pub type Sampler = fn(Sample) -> DVec2;
+/// Where samples fall: fills in points of the unit square (1 excluded), the one wanted and those with the next indices, each a function of
+/// which it is. No state, so that the picture depends on no order. A pixel with a single ray does not ask for a place in the pixel:
+/// it takes the centre.
+pub type Sampler = fn(Sample, &mut [DVec2]);
+
+impl Sample {
+    /// A sampler's point for this sample alone.
+    pub fn point(self, sampler: Sampler) -> DVec2 {
+        let mut point = [DVec2::ZERO];
+        sampler(self, &mut point);
+        point[0]
+    }
+
+    /// Fills in points one by one: for samplers that have nothing to share between them.
+    pub fn each(self, points: &mut [DVec2], point: impl Fn(Self) -> DVec2) {
+        for (number, place) in points.iter_mut().enumerate() {
+            *place = point(Self { index: self.index.wrapping_add(number as u32), ..self });
+        }
+    }
+}
 
 impl Purpose {
     /// A number for each purpose; those of lights are scattered over 32 bits.

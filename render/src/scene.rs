@@ -53,14 +53,36 @@ impl Scene {
         nearest
     }
 
+    /// As [`Self::closest`], of many rays; `hits` is as long as `rays`.
+    pub fn closest_many(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.accelerator.closest_many(rays, hits);
+        for (number, plane) in self.numbered_planes() {
+            for (ray, nearest) in rays.iter().zip(&mut *hits) {
+                let within = Interval::FORWARD.up_to(nearest.map_or(f32::INFINITY, |hit| hit.t));
+                if let Some(met) = self.bounded.kernels().meet_plane(plane, ray, within) {
+                    *nearest = Some(met.on(number));
+                }
+            }
+        }
+    }
+
     /// Whether something that casts a shadow lies strictly between the ends of a segment.
     pub fn blocked(&self, segment: &Ray) -> bool {
-        let blockers = self.blockers.as_deref().unwrap_or(&*self.accelerator);
         let by_plane = |(number, plane): (u32, &Plane)| {
             let meets = || self.bounded.kernels().meet_plane(plane, segment, Interval::SEGMENT).is_some();
             self.shader(number).casts_shadow() && meets()
         };
-        self.numbered_planes().any(by_plane) || blockers.any(segment, Interval::SEGMENT)
+        self.numbered_planes().any(by_plane) || self.blockers().any(segment, Interval::SEGMENT)
+    }
+
+    /// As [`Self::blocked`], of many segments; `blocked` is as long as `segments`.
+    pub fn blocked_many(&self, segments: &[Ray], blocked: &mut [bool]) {
+        self.blockers().any_many(segments, Interval::SEGMENT, blocked);
+        for (_, plane) in self.numbered_planes().filter(|&(number, _)| self.shader(number).casts_shadow()) {
+            for (segment, blocked) in segments.iter().zip(&mut *blocked) {
+                *blocked = *blocked || self.bounded.kernels().meet_plane(plane, segment, Interval::SEGMENT).is_some();
+            }
+        }
     }
 
     /// The surface at a hit of the same ray.
@@ -82,6 +104,10 @@ impl Scene {
     /// A primitive's shader.
     pub fn shader(&self, primitive: u32) -> &dyn Shader {
         &*self.shaders[self.shader_of[primitive as usize] as usize]
+    }
+
+    fn blockers(&self) -> &dyn Accelerator {
+        self.blockers.as_deref().unwrap_or(&*self.accelerator)
     }
 
     fn plane(&self, primitive: u32) -> Option<&Plane> {

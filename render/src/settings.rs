@@ -65,6 +65,25 @@ impl Crop {
         rows.flat_map(move |y| (self.x..self.x + self.width).map(move |x| [x, y]))
     }
 
+    /// Its pixels, so that those that follow each other lie near each other: by squares of 4 x 4, and in these by squares of 2 x 2.
+    ///
+    /// ```text
+    ///    0  1  4  5 | 16 17 20 21      sixteen rays in a row are those of a square of pixels, whether each
+    ///    2  3  6  7 | 18 19 22 23      has one, four, or sixteen of them
+    ///    8  9 12 13 | 24 25 28 29
+    ///   10 11 14 15 | 26 27 30 31
+    /// ```
+    pub(crate) fn pixels_by_squares(self) -> impl Iterator<Item = [u32; 2]> {
+        const STEPS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+        let rows = (0..self.height).step_by(4);
+        let squares = rows.flat_map(move |y| (0..self.width).step_by(4).map(move |x| [x, y]));
+        let within = squares.flat_map(|[x, y]| {
+            let twos = STEPS.into_iter().map(move |[dx, dy]| [x + 2 * dx, y + 2 * dy]);
+            twos.flat_map(|[x, y]| STEPS.into_iter().map(move |[dx, dy]| [x + dx, y + dy]))
+        });
+        within.filter(move |&[x, y]| x < self.width && y < self.height).map(move |[x, y]| [self.x + x, self.y + y])
+    }
+
     /// Whether a pixel belongs to it.
     pub(crate) fn contains(self, [x, y]: [u32; 2]) -> bool {
         let within = |at: u32, start: u32, length: u32| at >= start && at - start < length;
@@ -185,5 +204,34 @@ impl Settings {
     /// Camera rays for each pixel; where they are not shared out evenly, the most.
     pub fn rays_per_pixel(&self) -> u32 {
         (1 << (2 * self.aa)) * self.samples
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crop_s_pixels_stand_by_squares_each_once() {
+        for (width, height) in [(1, 1), (3, 9), (4, 4), (8, 4), (13, 6)] {
+            let crop = Crop { x: 5, y: 2, width, height };
+            let mut found: Vec<_> = crop.pixels_by_squares().collect();
+            found.sort_unstable_by_key(|&[x, y]| [y, x]);
+            assert_eq!(found, crop.pixels().collect::<Vec<_>>(), "{width} x {height}");
+        }
+    }
+
+    #[test]
+    fn pixels_by_squares_run_as_drawn() {
+        let crop = Crop { x: 0, y: 0, width: 8, height: 4 };
+        let order: Vec<_> = crop.pixels_by_squares().collect();
+        let numbers: Vec<_> = crop.pixels().map(|place| order.iter().position(|&other| other == place)).collect();
+        let drawn = [
+            [0, 1, 4, 5, 16, 17, 20, 21],
+            [2, 3, 6, 7, 18, 19, 22, 23],
+            [8, 9, 12, 13, 24, 25, 28, 29],
+            [10, 11, 14, 15, 26, 27, 30, 31],
+        ];
+        assert_eq!(numbers, drawn.concat().into_iter().map(Some).collect::<Vec<_>>());
     }
 }

@@ -20,6 +20,10 @@ impl Shader for Constant {
         };
         self.color * light
     }
+
+    fn asks_lights(&self) -> bool {
+        true
+    }
 }
 
 /// A matt surface, of one colour or textured, with a highlight.
@@ -45,15 +49,19 @@ impl Shader for Phong {
         let mirrored: Vec3 = if shines { reflect(at.direction, at.normal()) } else { Vec3::ZERO };
         let mut matt = Color::BLACK;
         let mut highlight = Color::BLACK;
-        for light in at.lit() {
+        at.lit().for_each(|light| {
             matt += light.color * light.cosine;
             if shines {
                 highlight += light.color * power(mirrored.dot(light.direction).max(0.0), self.exponent);
             }
-        }
+        });
         // No texture is looked up in the dark.
         let matt = if matt == Color::BLACK { matt } else { self.diffuse.color(at.uv) * matt };
         matt + self.specular * highlight
+    }
+
+    fn asks_lights(&self) -> bool {
+        true
     }
 }
 

@@ -9,4 +9,10 @@ pub trait Shader: Send + Sync {
     fn casts_shadow(&self) -> bool {
         true
     }
+
+    /// Whether [`Self::radiance`] asks for [`ShadingPoint::lit`], nearly always. A hint, without influence on the picture: lights are then
+    /// asked for many points together, which is faster, and in vain where the shader does not.
+    fn asks_lights(&self) -> bool {
+        false
+    }
 }

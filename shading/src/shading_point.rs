@@ -1,7 +1,7 @@
 use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
-use crate::{Bounces, Color, World, optics};
+use crate::{Bounces, Color, PointLight, World, optics};
 
 /// A point that is to be coloured, and what can be asked there.
 pub struct ShadingPoint<'a> {
@@ -12,7 +12,7 @@ pub struct ShadingPoint<'a> {
     /// How far it came, in the scene's units.
     pub distance: f32,
     /// The surface as it is, whichever side is seen.
-    pub surface: Surface,
+    pub surface: &'a Surface,
     /// Where rays that leave it start.
     pub ray_origin: RayOrigin,
     /// The texture coordinates: computed when asked for.
@@ -34,6 +34,7 @@ pub struct Incident {
 
 impl ShadingPoint<'_> {
     /// Whether the ray came from inside the body: it meets the back of the surface.
+    #[inline]
     pub fn is_inside(&self) -> bool {
         self.direction.dot(self.surface.geometric_normal) > 0.0
     }
@@ -41,8 +42,9 @@ impl ShadingPoint<'_> {
     /// The unit shading normal on the viewer's side.
     ///
     /// Where a mesh's own normal leans away from its triangle's, that is on the triangle's viewer's side.
+    #[inline]
     pub fn normal(&self) -> Vec3 {
-        let Surface { geometric_normal, shading_normal, .. } = self.surface;
+        let &Surface { geometric_normal, shading_normal, .. } = self.surface;
         let seen_from_front = !self.is_inside();
         let on_the_front = shading_normal.dot(geometric_normal) >= 0.0;
         if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
@@ -51,30 +53,36 @@ impl ShadingPoint<'_> {
     /// The lights that the point sees, with what arrives from each. Lights behind the surface are not seen, nor lights
     /// behind something opaque.
     pub fn lit(&self) -> impl Iterator<Item = Incident> {
-        let normal = self.normal();
-        let outward = if self.is_inside() { -self.surface.geometric_normal } else { self.surface.geometric_normal };
-        let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
-        lights.filter_map(move |light| {
-            let to_light = light.position - self.surface.position;
-            let distance = to_light.length();
-            let direction = to_light / distance;
-            let cosine = direction.dot(normal);
-            // Also false where the light stands just at the point.
-            if !(cosine > 0.0 && direction.dot(outward) > 0.0) {
-                return None;
-            }
-            let color = light.at_distance(distance);
-            // No shadow ray for light that is too far to count.
-            if color == Color::BLACK || self.world.blocked(&self.ray_towards(light.position)) {
-                return None;
-            }
-            Some(Incident { direction, cosine, color })
-        })
+        let known = self.world.lit(self);
+        let asked = known.is_none().then(|| {
+            let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
+            let arriving = lights.filter_map(|light| self.arriving(&light));
+            arriving.filter(|(_, segment)| !self.world.blocked(segment)).map(|(incident, _)| incident)
+        });
+        known.unwrap_or_default().iter().copied().chain(asked.into_iter().flatten())
+    }
+
+    /// What arrives from a light where nothing is in its way, and the segment to the light that must be free for that. `None` if the light is
+    /// behind the surface, or too far to count: then no shadow ray is needed.
+    #[inline]
+    pub fn arriving(&self, light: &PointLight) -> Option<(Incident, Ray)> {
+        let geometric = self.surface.geometric_normal;
+        let outward = if self.is_inside() { -geometric } else { geometric };
+        let to_light = light.position - self.surface.position;
+        let distance = to_light.length();
+        let direction = to_light / distance;
+        let cosine = direction.dot(self.normal());
+        // Also false where the light stands just at the point.
+        if !(cosine > 0.0 && direction.dot(outward) > 0.0) {
+            return None;
+        }
+        let color = light.at_distance(distance);
+        (color != Color::BLACK).then(|| (Incident { direction, cosine, color }, self.ray_towards(light.position)))
     }
 
     /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.
     pub fn ambient(&self) -> Option<f32> {
-        self.world.light(0, self.bounces.path).is_none().then(|| self.world.ambient())
+        self.world.ambient()
     }
 
     /// The light that a mirror here shows; black when the ray has been reflected often enough.
@@ -90,13 +98,15 @@ impl ShadingPoint<'_> {
     }
 
     /// A ray that leaves the surface in a direction.
+    #[inline]
     pub fn ray_along(&self, direction: Vec3) -> Ray {
-        Ray::new((self.ray_origin)(&self.surface, direction.as_dvec3()), direction)
+        Ray::new((self.ray_origin)(self.surface, direction.as_dvec3()), direction)
     }
 
     /// A ray that leaves the surface and reaches `target` at `t = 1`.
+    #[inline]
     pub fn ray_towards(&self, target: Vec3) -> Ray {
-        let origin = (self.ray_origin)(&self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
+        let origin = (self.ray_origin)(self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
         Ray::new(origin, target - origin)
     }
 

@@ -2,10 +2,13 @@
 
 use std::num::NonZeroUsize;
 
+use accel::Accelerator;
 use cli::scenes::{self, EmbeddedFiles};
-use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, render};
+use geometry::{Hit, Interval, Primitives, Ray, Surface};
+use glam::Vec3;
+use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, Shaders, render};
 use scene_format::scene_file::BucketOrder;
-use shading::SoftShadows;
+use shading::{Bounces, Color, Shader, ShadingPoint, SoftShadows};
 use tests::Rendering;
 
 /// A textured one with meshes, one of glass and mirrors, one with depth of field, one with soft shadows.
@@ -23,9 +26,13 @@ fn small(settings: &Settings) -> Settings {
     Settings { size: [40, 30], aa: 1, samples: 2, ..settings.clone() }
 }
 
-/// The same, and one with two to eight rays a pixel.
-fn both(settings: &Settings) -> [Settings; 2] {
-    [small(settings), Settings { allotment: Allotment::Adaptive, least_aa: 0, samples: 1, aa: 2, ..small(settings) }]
+/// The same; one with two to sixteen rays a pixel; and one whose edges cut squares of pixels, with three rays each.
+fn all(settings: &Settings) -> [Settings; 3] {
+    [
+        small(settings),
+        Settings { allotment: Allotment::Adaptive, least_aa: 0, samples: 1, aa: 2, ..small(settings) },
+        Settings { size: [37, 29], aa: 0, samples: 3, ..small(settings) },
+    ]
 }
 
 fn film(assembled: &Assembled, settings: &Settings) -> Film {
@@ -53,7 +60,7 @@ fn assert_same(name: &str, what: &str, one: &Film, other: &Film) {
 fn any_number_of_threads_gives_the_same_bits() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        for settings in both(&assembled.settings) {
+        for settings in all(&assembled.settings) {
             let with = |threads| Settings { threads: NonZeroUsize::new(threads), ..settings.clone() };
             let one = film(&assembled, &with(1));
             for threads in [2, 5] {
@@ -67,7 +74,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 fn any_bucket_size_gives_the_same_bits() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        for settings in both(&assembled.settings) {
+        for settings in all(&assembled.settings) {
             let usual = film(&assembled, &settings);
             for size in [1, 7, 16, 64, 1000] {
                 let buckets = Buckets { size, ..settings.buckets };
@@ -76,6 +83,101 @@ fn any_bucket_size_gives_the_same_bits() {
             }
         }
     }
+}
+
+/// An accelerator as a student writes it first: of many rays at once it knows nothing.
+struct OneByOne(Box<dyn Accelerator>);
+
+impl Accelerator for OneByOne {
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.0.closest(ray, within)
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        self.0.any(ray, within)
+    }
+}
+
+#[test]
+fn every_accelerator_gives_the_same_bits() {
+    let others: [(&str, fn(Primitives) -> Box<dyn Accelerator>); 3] = [
+        ("none", accel::none),
+        ("octree", accel::octree),
+        ("one ray at a time", |primitives| Box::new(OneByOne(accel::wide(primitives)))),
+    ];
+    for name in SCENES {
+        let usual = assembled(name, Modules::default());
+        for settings in all(&usual.settings) {
+            let expected = film(&usual, &settings);
+            for (accelerator, build) in others {
+                let other = assembled(name, Modules { accelerator: build, ..Modules::default() });
+                assert_same(name, accelerator, &expected, &film(&other, &settings));
+            }
+        }
+    }
+}
+
+/// What a shader does with the point that it is given, before it asks for light.
+type Change = for<'a> fn(&ShadingPoint<'a>, &dyn Fn(&ShadingPoint<'_>) -> Color) -> Color;
+
+/// A matt surface that says, or does not say, that it asks for light.
+struct Asking {
+    matt: shading::Constant,
+    change: Change,
+    says_so: bool,
+}
+
+impl Shader for Asking {
+    fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        (self.change)(at, &|at| self.matt.radiance(at))
+    }
+
+    fn asks_lights(&self) -> bool {
+        self.says_so
+    }
+}
+
+fn saying_so<const INDEX: usize>(color: Color) -> Box<dyn Shader> {
+    Box::new(Asking { matt: shading::Constant { color }, change: CHANGES[INDEX].1, says_so: true })
+}
+
+fn saying_nothing<const INDEX: usize>(color: Color) -> Box<dyn Shader> {
+    Box::new(Asking { matt: shading::Constant { color }, change: CHANGES[INDEX].1, says_so: false })
+}
+
+const CHANGES: [(&str, Change); 7] = [
+    ("nothing", |at, light| light(at)),
+    ("asks twice", |at, light| light(at) + light(at)),
+    ("asks never", |at, _| Color::grey(at.distance)),
+    ("another surface", |at, light| {
+        let surface =
+            Surface { shading_normal: (at.surface.shading_normal + 0.3 * Vec3::X).normalize(), ..*at.surface };
+        light(&ShadingPoint { surface: &surface, ..*at })
+    }),
+    ("the other side", |at, light| light(&ShadingPoint { direction: -at.direction, ..*at })),
+    ("another path", |at, light| light(&ShadingPoint { bounces: Bounces { path: 9, ..at.bounces }, ..*at })),
+    ("another origin", |at, light| light(&ShadingPoint { ray_origin: |surface, _| surface.position, ..*at })),
+];
+
+/// The same picture, and as many rays counted, whether the shader says so or not.
+fn hinted<const INDEX: usize>() {
+    let named = |constant| Modules { shaders: Shaders { constant, ..Shaders::default() }, ..Modules::default() };
+    let [with, without] =
+        [saying_so::<INDEX>, saying_nothing::<INDEX>].map(|shader| assembled("shadows-soft", named(shader)));
+    for settings in all(&with.settings) {
+        assert_same("shadows-soft", CHANGES[INDEX].0, &film(&without, &settings), &film(&with, &settings));
+    }
+}
+
+#[test]
+fn a_shader_that_says_what_it_asks_gives_the_same_bits_whatever_it_asks() {
+    hinted::<0>();
+    hinted::<1>();
+    hinted::<2>();
+    hinted::<3>();
+    hinted::<4>();
+    hinted::<5>();
+    hinted::<6>();
 }
 
 #[test]
@@ -112,7 +214,7 @@ fn every_embedded_scene_has_the_same_bits_without_the_octree() {
 fn a_crop_has_the_bits_of_the_same_part_of_the_whole() {
     for name in SCENES {
         let assembled = assembled(name, Modules::default());
-        for settings in both(&assembled.settings) {
+        for settings in all(&assembled.settings) {
             let whole = film(&assembled, &settings);
             for crop in [Crop { x: 0, y: 0, width: 1, height: 1 }, Crop { x: 11, y: 7, width: 17, height: 13 }] {
                 let part = film(&assembled, &Settings { crop: Some(crop), ..settings.clone() });

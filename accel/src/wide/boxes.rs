@@ -1,14 +1,13 @@
-//! A ray against the eight boxes of a node.
+//! Rays against boxes: one against the eight of a node, or many against one.
 
 use geometry::Ray;
-use glam::Vec3;
 
 use super::{
     layout::Node,
-    simd::{Isa, Lanes, splat},
+    simd::{Isa, Lanes, map},
 };
 
-/// A ray made ready for the boxes of nodes.
+/// Rays made ready for the boxes of nodes: `T` is a number of each.
 ///
 /// The slab test (Kay and Kajiya 1986) with the planes chosen by the direction's signs: on each axis the ray crosses the near planes
 /// at `(near - o) / d` and the far ones at `(far - o) / d`; it meets the boxes where the last near plane comes before the first far
@@ -25,79 +24,85 @@ use super::{
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-48 of the largest: that
 /// moves the ray by 2^-47 R inside the tree. [`crate::ordinary`] has seen to it that nothing overflows to a NaN.
-pub(super) struct BoxRay {
+pub(super) struct BoxRays<T> {
     /// Of the near planes and of the far ones: the origin, moved, times `i`.
-    pub(super) near: [f32; 3],
-    pub(super) far: [f32; 3],
-    pub(super) inverse: [f32; 3],
-    /// For each axis which planes are near: 0 the lower ones, 1 the upper.
-    pub(super) sides: [usize; 3],
+    pub(super) near: [T; 3],
+    pub(super) far: [T; 3],
+    pub(super) inverse: [T; 3],
+    pub(super) min: T,
 }
 
 /// Of a sum of coordinates, the slack that every box has.
 pub(super) const SLACK: f32 = 8.0 * f32::EPSILON;
 
 /// Of the largest component of a direction, the least that counts.
-pub(super) const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
+const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
 
-impl BoxRay {
-    #[inline(always)]
-    pub(super) fn new(ray: &Ray, magnitude: f32) -> Self {
-        let floor = (ray.direction.abs().max_element() * NEGLIGIBLE).max(f32::MIN_POSITIVE);
-        let direction = ray.direction.to_array().map(|d| if d.abs() < floor { floor.copysign(d) } else { d });
-        let inverse = direction.map(|d| 1.0 / d);
-        let slack = SLACK * (ray.origin.abs() + Vec3::splat(magnitude));
-        let forward = slack.copysign(direction.into());
-        let (near_origin, far_origin) = (ray.origin + forward, ray.origin - forward);
-        Self {
-            near: (near_origin * Vec3::from(inverse)).to_array(),
-            far: (far_origin * Vec3::from(inverse)).to_array(),
-            inverse,
-            sides: direction.map(|d| usize::from(d < 0.0)),
-        }
-    }
-
-    /// The same for all lanes.
-    #[inline(always)]
-    pub(super) fn lanes<I: Isa>(&self, isa: I, min: f32) -> BoxLanes<I> {
-        BoxLanes {
-            near: splat(isa, self.near),
-            far: splat(isa, self.far),
-            inverse: splat(isa, self.inverse),
-            sides: self.sides,
-            min: I::F32::splat(isa, min),
-        }
-    }
+/// For each axis which planes a ray comes to first: 0 the lower ones, 1 the upper.
+#[inline(always)]
+pub(super) fn near_sides(ray: &Ray) -> [usize; 3] {
+    let down = ray.direction.is_negative_bitmask() as usize;
+    [down & 1, down >> 1 & 1, down >> 2 & 1]
 }
 
-/// A [`BoxRay`], each number in all lanes.
-pub(super) struct BoxLanes<I: Isa> {
-    pub(super) near: [I::F32; 3],
-    pub(super) far: [I::F32; 3],
-    pub(super) inverse: [I::F32; 3],
-    pub(super) sides: [usize; 3],
-    pub(super) min: I::F32,
-}
-
-impl<I: Isa> BoxLanes<I> {
-    /// Where the ray enters each box, and a bit for each box that it meets before `limit`.
+impl<L: Copy> BoxRays<L> {
+    /// Of the origins and directions of the rays in the lanes. `magnitude` is the greatest coordinate of the tree.
     #[inline(always)]
-    pub(super) fn meet(&self, isa: I, node: &Node, limit: f32) -> (I::F32, u32) {
-        let limit = I::F32::splat(isa, limit);
-        let enters = self.enter(isa, node, 0).max(self.enter(isa, node, 1)).max(self.enter(isa, node, 2).max(self.min));
-        let leaves = self.leave(isa, node, 0).min(self.leave(isa, node, 1)).min(self.leave(isa, node, 2).min(limit));
+    pub(super) fn new<I: Copy>(isa: I, origins: [L; 3], directions: [L; 3], min: f32, magnitude: f32) -> Self
+    where
+        L: Lanes<I>,
+    {
+        let [x, y, z] = directions;
+        let floor =
+            (x.abs().max(y.abs()).max(z.abs()) * L::splat(isa, NEGLIGIBLE)).max(L::splat(isa, f32::MIN_POSITIVE));
+        let (magnitude, slack, one) = (L::splat(isa, magnitude), L::splat(isa, SLACK), L::splat(isa, 1.0));
+        let mut rays = Self { near: origins, far: origins, inverse: directions, min: L::splat(isa, min) };
+        for axis in 0..3 {
+            let (origin, direction) = (origins[axis], directions[axis]);
+            let direction = direction.abs().max(floor).with_sign_of(direction);
+            let inverse = one / direction;
+            let forward = (slack * (origin.abs() + magnitude)).with_sign_of(direction);
+            rays.near[axis] = (origin + forward) * inverse;
+            rays.far[axis] = (origin - forward) * inverse;
+            rays.inverse[axis] = inverse;
+        }
+        rays
+    }
+
+    /// Where each lane's ray enters its box, and a bit for each that does so before the limit: a ray in all lanes and the boxes of a node, or
+    /// many rays and one box. `planes` are those of an axis, the nearer ones first.
+    #[inline(always)]
+    pub(super) fn meet<I: Isa>(&self, planes: impl Fn(usize) -> [L; 2], limit: L) -> (L, u32)
+    where
+        L: Lanes<I>,
+    {
+        let (mut enters, mut leaves) = (self.min, limit);
+        for axis in 0..3 {
+            let [near, far] = planes(axis);
+            enters = enters.max(near.times_less(self.inverse[axis], self.near[axis]));
+            leaves = leaves.min(far.times_less(self.inverse[axis], self.far[axis]));
+        }
         (enters, enters.le(leaves))
     }
+}
 
+impl<T> BoxRays<T> {
     #[inline(always)]
-    fn enter(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
-        let near = I::F32::load(isa, &node.planes[axis][self.sides[axis] & 1]);
-        near.times_less(self.inverse[axis], self.near[axis])
+    pub(super) fn map<U>(&self, f: impl Fn(&T) -> U) -> BoxRays<U> {
+        BoxRays {
+            near: map(&self.near, &f),
+            far: map(&self.far, &f),
+            inverse: map(&self.inverse, &f),
+            min: f(&self.min),
+        }
     }
+}
 
+impl Node {
+    /// The nearer and the farther planes of all boxes on an axis.
     #[inline(always)]
-    fn leave(&self, isa: I, node: &Node, axis: usize) -> I::F32 {
-        let far = I::F32::load(isa, &node.planes[axis][self.sides[axis] & 1 ^ 1]);
-        far.times_less(self.inverse[axis], self.far[axis])
+    pub(super) fn planes_of_all<I: Isa>(&self, isa: I, sides: [usize; 3], axis: usize) -> [I::F32x8; 2] {
+        let (planes, side) = (&self.planes[axis], sides[axis] & 1);
+        [I::F32x8::load(isa, &planes[side]), I::F32x8::load(isa, &planes[side ^ 1])]
     }
 }

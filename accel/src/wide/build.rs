@@ -121,7 +121,8 @@ mod tests {
                 links.extend(tree.nodes[link.bits() as usize].links);
             } else {
                 let (blocks, asked) = tree.leaf(link);
-                let taken = blocks.iter().flat_map(|block| block.primitives).filter(|&number| number != u32::MAX);
+                let in_lanes = tree.blocks[blocks].iter().flat_map(|block| block.primitives);
+                let taken = in_lanes.filter(|&number| number != u32::MAX);
                 taken.chain(asked.iter().copied()).for_each(|number| seen[number as usize] += 1);
             }
         }

@@ -1,4 +1,4 @@
-//! Vectors of eight numbers, in three instruction sets.
+//! Vectors of eight numbers and of sixteen, in three instruction sets.
 //!
 //! A traversal is written once, over [`Isa`], and compiled three times: for AVX-512, for AVX2, and for any processor. Which one runs is
 //! asked of the processor when the accelerator is built. All three do the same IEEE operations in the same order, none fused, so
@@ -20,7 +20,9 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+mod pair;
 mod portable;
+mod single;
 mod stack;
 
 use std::ops::{Add, Div, Mul, Sub};
@@ -30,35 +32,53 @@ pub(super) use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub(super) use avx512::Avx512;
 pub(super) use portable::Portable;
-pub(super) use stack::Stack;
+pub(super) use stack::{Room, Stack};
 
 /// An instruction set that this processor has.
 pub(super) trait Isa: Copy {
-    /// Eight `f32`.
-    type F32: Lanes<Self>;
+    /// Eight `f32`: a number of each box of a node, of each triangle of a block.
+    type F32x8: Lanes<Self, Row = [f32; 8]>;
+    /// Sixteen `f32`: a number of each ray of a packet.
+    type F32x16: Lanes<Self, Row = [f32; 16]>;
 
     /// Runs code compiled for the instruction set. What it calls must be `#[inline(always)]` to be compiled with it.
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }
 
-/// Each component in all lanes of its own vector.
+/// Asks for memory that will be read soon; where the processor cannot be asked, nothing is done.
 #[inline(always)]
-pub(super) fn splat<I: Isa>(isa: I, [x, y, z]: [f32; 3]) -> [I::F32; 3] {
-    [I::F32::splat(isa, x), I::F32::splat(isa, y), I::F32::splat(isa, z)]
+pub(super) fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: kind 1, for every x86-64 has it. Nothing is read: any address will do.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast::<i8>().wrapping_add(line)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
 }
 
-/// Eight `f32`, one for each lane.
+/// Each component, changed. (`array::map` is not always compiled for the instructions of who calls it.)
+#[inline(always)]
+pub(super) fn map<T, U>([x, y, z]: &[T; 3], change: impl Fn(&T) -> U) -> [U; 3] {
+    [change(x), change(y), change(z)]
+}
+
+/// Some numbers, one in each lane.
 ///
 /// Comparisons give a bit for each lane. What minimum and maximum of a NaN are is not said.
 pub(super) trait Lanes<I>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
+    /// As many numbers, in memory.
+    type Row: Copy;
+
     /// The same number in all lanes.
     fn splat(isa: I, value: f32) -> Self;
     /// Lane by lane from memory.
-    fn load(isa: I, from: &[f32; 8]) -> Self;
+    fn load(isa: I, from: &Self::Row) -> Self;
     /// Lane by lane to memory.
-    fn store(self, to: &mut [f32; 8]);
+    fn store(self, to: &mut Self::Row);
     /// `self * factor - less`, rounded once or twice as the processor likes: for what has slack for both.
     fn times_less(self, factor: Self, less: Self) -> Self;
     /// The lesser, lane by lane.
@@ -69,8 +89,14 @@ pub(super) trait Lanes<I>:
     fn abs(self) -> Self;
     /// With the sign of another, lane by lane; its own must be positive.
     fn with_sign_of(self, other: Self) -> Self;
+    /// With the other's numbers in the lanes whose bits are set.
+    fn or_where(self, lanes: u32, other: Self) -> Self;
     /// A bit for each lane that is less than the other's; none for a NaN.
     fn lt(self, other: Self) -> u32;
     /// A bit for each lane that is no greater than the other's; none for a NaN.
     fn le(self, other: Self) -> u32;
+    /// The least of all lanes.
+    fn least(self) -> f32;
+    /// The greatest of all lanes.
+    fn greatest(self) -> f32;
 }

@@ -1,14 +1,16 @@
 //! One ray through the tree.
 
+use std::ops::Range;
+
 use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
-    boxes::{BoxLanes, BoxRay},
-    decide::{Aimed, Decide, Nearest},
-    layout::{Block, Link, Linked, Mixed},
-    simd::{Isa, Lanes, Stack},
-    triangles::TriangleRay,
+    boxes::{BoxRays, near_sides},
+    decide::{Asked, Decide, NO_HIT, Nearest, Place},
+    layout::{Block, Link, Linked, Mixed, Node},
+    simd::{Isa, Lanes, Room, Stack, prefetch},
+    triangles::{Met, TriangleRays},
 };
 use crate::none::closest_of;
 
@@ -26,82 +28,39 @@ pub(super) fn distance(pending: Pending) -> f32 {
     f32::from_bits((pending >> 32) as u32)
 }
 
-/// A ray's nearest hit.
-#[inline(always)]
-pub(super) fn closest<I: Isa, D: Decide>(
+/// A ray made ready for nodes.
+struct Bound<I: Isa> {
     isa: I,
-    tree: &Tree,
-    primitives: &Primitives,
-    ray: &Ray,
-    within: Interval,
-) -> Option<Hit> {
-    let probe = TriangleProbe::new(ray);
-    let mut walk = Walk::new(isa, tree, primitives, ray, &probe, within);
-    let mut stack = Stack::new();
-    let mut link = tree.root;
-    while let Some(next) = walk.step::<D>(link, &mut stack) {
-        link = next;
-    }
-    D::finish(within, &probe, &walk.nearest)
+    sides: [usize; 3],
+    boxes: BoxRays<I::F32x8>,
 }
 
-/// A ray on its way to its nearest hit.
-pub(super) struct Walk<'a, I: Isa> {
-    tree: &'a Tree,
-    primitives: &'a Primitives,
-    ray: &'a Ray,
-    boxes: BoxLanes<I>,
-    aimed: Aimed<'a, I>,
-    pub(super) nearest: Nearest<'a>,
-}
-
-impl<'a, I: Isa> Walk<'a, I> {
+impl<I: Isa> Bound<I> {
     #[inline(always)]
-    pub(super) fn new(
-        isa: I,
-        tree: &'a Tree,
-        primitives: &'a Primitives,
-        ray: &'a Ray,
-        probe: &'a TriangleProbe,
-        within: Interval,
-    ) -> Self {
-        let mut walk = Self {
-            tree,
-            primitives,
-            ray,
-            boxes: BoxRay::new(ray, tree.magnitude).lanes(isa, within.min),
-            aimed: Aimed {
-                isa,
-                within,
-                probe,
-                triangles: TriangleRay::new(ray, probe, within.min, tree.magnitude).lanes(isa),
-            },
-            nearest: Nearest::none(within),
-        };
-        if !tree.beside.is_empty() {
-            walk.ask(&tree.beside);
-        }
-        walk
+    fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
+        let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, magnitude);
+        let boxes = boxes.map(
+            #[inline(always)]
+            |&number| I::F32x8::splat(isa, number),
+        );
+        Self { isa, sides: near_sides(ray), boxes }
     }
 
-    /// Visits a node or a leaf; returns what to visit next, if anything.
+    /// Where the ray enters each box of a node, and a bit for each that it enters before the limit.
     #[inline(always)]
-    pub(super) fn step<D: Decide>(&mut self, link: Link, stack: &mut Stack<Pending>) -> Option<Link> {
-        if link.is_node() {
-            if let Some(nearest) = self.node(link, stack) {
-                return Some(nearest);
-            }
-        } else {
-            self.leaf::<D>(link);
-        }
-        self.pop(stack)
+    fn enter(&self, node: &Node, limit: f32) -> (I::F32x8, u32) {
+        let limit = I::F32x8::splat(self.isa, limit);
+        self.boxes.meet(
+            #[inline(always)]
+            |axis| node.planes_of_all(self.isa, self.sides, axis),
+            limit,
+        )
     }
 
-    /// Visits a node: the nearest of the links that the ray meets, if any; the others wait on the stack, the farthest lowest.
+    /// The nearest of the links of a node that the ray meets before the limit, if any; the others wait on the stack, the farthest lowest.
     #[inline(always)]
-    fn node(&mut self, link: Link, stack: &mut Stack<Pending>) -> Option<Link> {
-        let node = &self.tree.nodes[link.bits() as usize];
-        let (enters, mut met) = self.boxes.meet(self.aimed.isa, node, self.nearest.limit);
+    fn visit(&self, node: &Node, limit: f32, stack: &mut Stack<Pending>) -> Option<Link> {
+        let (enters, mut met) = self.enter(node, limit);
         if met == 0 {
             return None;
         }
@@ -127,50 +86,164 @@ impl<'a, I: Isa> Walk<'a, I> {
         }
         Some(Link::from_bits(best as u32))
     }
+}
 
-    /// Takes from the stack what the ray enters before its nearest hit.
+/// A ray made ready for triangles.
+pub(super) struct Aimed<'a, I: Isa> {
+    pub(super) isa: I,
+    /// Which axis the probe has made which.
+    pub(super) axes: [usize; 3],
+    pub(super) triangles: TriangleRays<I::F32x8>,
+    pub(super) asked: Asked<'a>,
+}
+
+impl<'a, I: Isa> Aimed<'a, I> {
     #[inline(always)]
-    fn pop(&mut self, stack: &mut Stack<Pending>) -> Option<Link> {
-        loop {
-            let next = stack.pop()?;
-            // A hit at just this distance may still have a lower number.
-            if distance(next) <= self.nearest.limit {
-                return Some(Link::from_bits(next as u32));
+    fn new(isa: I, asked: Asked<'a>, magnitude: f32) -> Self {
+        let (ray, probe) = (asked.ray, TriangleProbe::new(asked.ray));
+        let (origin, direction) = (probe.turned(ray.origin).to_array(), probe.turned(ray.direction).to_array());
+        let triangles = TriangleRays::new(isa, origin, direction, magnitude).map(
+            #[inline(always)]
+            |&number| I::F32x8::splat(isa, number),
+        );
+        Self { isa, axes: probe.axes(), triangles, asked }
+    }
+
+    /// What it meets of a block.
+    #[inline(always)]
+    fn meet<D: Decide>(&self, block: &Block, limit: f32) -> Option<Met<I::F32x8>> {
+        D::meet(
+            self.isa,
+            &self.triangles,
+            #[inline(always)]
+            |corner, axis| block.of_all(self.isa, corner, self.axes[axis]),
+            *self.asked.within,
+            I::F32x8::splat(self.isa, limit),
+        )
+    }
+
+    /// The nearest hit, so far and with a block's triangles.
+    #[inline(always)]
+    pub(super) fn nearest<D: Decide>(&self, block: usize, known: &mut Hit, mut nearest: Nearest) -> Nearest {
+        let Some(met) = self.meet::<D>(&self.asked.blocks[block], nearest.high) else { return nearest };
+        let (mut low, mut high) = ([0.0; 8], [0.0; 8]);
+        met.low.store(&mut low);
+        met.high.store(&mut high);
+        let mut possible = met.possible;
+        while possible != 0 {
+            let lane = possible.trailing_zeros() as usize & 7;
+            possible &= possible - 1;
+            let place = Place::new(block, lane);
+            nearest = if met.certain >> lane & 1 == 1 {
+                nearest.or_certain::<D>(self.asked, known, place, [low[lane], high[lane]])
+            } else {
+                nearest.or_possible::<D>(self.asked, known, place, low[lane])
+            };
+        }
+        nearest
+    }
+
+    /// Whether it meets any of a block's triangles.
+    #[inline(always)]
+    pub(super) fn is_met<D: Decide>(&self, block: usize) -> bool {
+        let Some(met) = self.meet::<D>(&self.asked.blocks[block], self.asked.within.max) else { return false };
+        met.certain != 0 || is_any_met::<D>(self.asked, block, met.possible)
+    }
+}
+
+/// Whether any of a block's triangles that may be met is. A call of its own, for it is rare.
+#[cold]
+#[inline(never)]
+pub(super) fn is_any_met<D: Decide>(asked: Asked, block: usize, mut possible: u32) -> bool {
+    while possible != 0 {
+        let lane = possible.trailing_zeros() as usize & 7;
+        possible &= possible - 1;
+        if D::hit(asked, Place::new(block, lane), asked.within.min).is_some() {
+            return true;
+        }
+    }
+    false
+}
+
+/// A ray's nearest hit.
+#[inline(always)]
+pub(super) fn closest<I: Isa, D: Decide>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: &Interval,
+) -> Option<Hit> {
+    search::<I, D>(isa, tree, primitives, ray, within, |_| ())
+}
+
+/// A ray's nearest hit; `visit` is shown each node and leaf on the way.
+#[inline(always)]
+pub(super) fn search<I: Isa, D: Decide>(
+    isa: I,
+    tree: &Tree,
+    primitives: &Primitives,
+    ray: &Ray,
+    within: &Interval,
+    mut visit: impl FnMut(Link),
+) -> Option<Hit> {
+    let asked = Asked { blocks: &tree.blocks, ray, within };
+    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
+    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let (mut nearest, mut known) = (Nearest::none(*within), NO_HIT);
+    if !tree.beside.is_empty() {
+        nearest = nearest_with::<D>(primitives, &tree.beside, asked, &mut known, nearest);
+    }
+    let mut room = Room::new();
+    let mut stack = Stack::within(&mut room);
+    // Looked up once: the compiler cannot know that nothing changes it.
+    let (nodes, mut link) = (&tree.nodes[..], tree.root);
+    loop {
+        visit(link);
+        if link.is_node() {
+            if let Some(first) = bound.visit(&nodes[link.bits() as usize], nearest.high, &mut stack) {
+                link = first;
+                continue;
+            }
+        } else {
+            let (blocks, numbers) = tree.leaf(link);
+            for block in blocks {
+                nearest = aimed.nearest::<D>(block, &mut known, nearest);
+            }
+            if !numbers.is_empty() {
+                nearest = nearest_with::<D>(primitives, numbers, asked, &mut known, nearest);
             }
         }
+        link = loop {
+            let Some(next) = stack.pop() else { return nearest.finish::<D>(asked, known) };
+            // A hit at just this distance may still have a lower number.
+            if distance(next) <= nearest.high {
+                break Link::from_bits(next as u32);
+            }
+        };
     }
+}
 
-    #[inline(always)]
-    fn leaf<D: Decide>(&mut self, link: Link) {
-        let (blocks, asked) = self.tree.leaf(link);
-        for block in blocks {
-            D::block(&self.aimed, block, &mut self.nearest);
-        }
-        if !asked.is_empty() {
-            self.ask(asked);
-        }
-    }
-
-    /// Asks primitives one by one.
-    #[inline(always)]
-    fn ask(&mut self, numbers: &[u32]) {
-        let nearest = nearest_of(self.primitives, numbers, self.ray, self.aimed.within, self.nearest.hit);
-        if let Some(hit) = nearest {
-            self.nearest.take(hit, None);
-        }
+/// The nearest hit, so far and with primitives that are asked one by one.
+#[inline(always)]
+pub(super) fn nearest_with<D: Decide>(
+    primitives: &Primitives,
+    numbers: &[u32],
+    asked: Asked,
+    known: &mut Hit,
+    nearest: Nearest,
+) -> Nearest {
+    match nearest_of(primitives, numbers, asked, nearest.known(*known)) {
+        Some(hit) => nearest.or_hit::<D>(asked, known, hit),
+        None => nearest,
     }
 }
 
 /// A call of its own, so that what is asked one by one does not take the registers of the rest.
+#[cold]
 #[inline(never)]
-pub(super) fn nearest_of(
-    primitives: &Primitives,
-    numbers: &[u32],
-    ray: &Ray,
-    within: Interval,
-    nearest: Option<Hit>,
-) -> Option<Hit> {
-    closest_of(primitives, numbers.iter().copied(), ray, within, nearest)
+fn nearest_of(primitives: &Primitives, numbers: &[u32], asked: Asked, nearest: Option<Hit>) -> Option<Hit> {
+    closest_of(primitives, numbers.iter().copied(), asked.ray, *asked.within, nearest)
 }
 
 /// Moves the last entry down to its place: the nearest last.
@@ -190,21 +263,21 @@ pub(super) fn any<I: Isa, D: Decide>(
     tree: &Tree,
     primitives: &Primitives,
     ray: &Ray,
-    within: Interval,
+    within: &Interval,
 ) -> bool {
-    if !tree.beside.is_empty() && any_of(primitives, &tree.beside, ray, within) {
+    if !tree.beside.is_empty() && any_of(primitives, &tree.beside, ray, *within) {
         return true;
     }
-    let probe = &TriangleProbe::new(ray);
-    let boxes = BoxRay::new(ray, tree.magnitude).lanes(isa, within.min);
-    let triangles = TriangleRay::new(ray, probe, within.min, tree.magnitude).lanes(isa);
-    let aimed = Aimed { isa, within, probe, triangles };
-    let mut stack = Stack::<Link>::new();
+    let asked = Asked { blocks: &tree.blocks, ray, within };
+    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
+    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let mut room = Room::<Link>::new();
+    let mut stack = Stack::within(&mut room);
     let mut link = tree.root;
     loop {
         while link.is_node() {
             let node = &tree.nodes[link.bits() as usize];
-            let (_, mut met) = boxes.meet(isa, node, within.max);
+            let (_, mut met) = bound.enter(node, within.max);
             if met == 0 {
                 break;
             }
@@ -218,11 +291,11 @@ pub(super) fn any<I: Isa, D: Decide>(
         if !link.is_node() {
             let (blocks, asked) = tree.leaf(link);
             for block in blocks {
-                if D::is_met(&aimed, block) {
+                if aimed.is_met::<D>(block) {
                     return true;
                 }
             }
-            if !asked.is_empty() && any_of(primitives, asked, ray, within) {
+            if !asked.is_empty() && any_of(primitives, asked, ray, *within) {
                 return true;
             }
         }
@@ -234,22 +307,33 @@ pub(super) fn any<I: Isa, D: Decide>(
 }
 
 /// A call of its own, as [`nearest_of`].
+#[cold]
 #[inline(never)]
 pub(super) fn any_of(primitives: &Primitives, numbers: &[u32], ray: &Ray, within: Interval) -> bool {
     numbers.iter().any(|&number| primitives.intersect(number, ray, within).is_some())
 }
 
 impl Tree {
-    /// The blocks of a leaf, and what is asked one by one.
+    /// Asks for the memory of a node, or of a leaf's first block.
     #[inline(always)]
-    pub(super) fn leaf(&self, link: Link) -> (&[Block], &[u32]) {
+    pub(super) fn prefetch(&self, link: Link) {
         match link.linked() {
-            Linked::Node(_) => (&[], &[]),
-            Linked::Blocks { first, count } => (&self.blocks[first as usize..(first + count) as usize], &[]),
+            Linked::Node(index) => prefetch(&self.nodes[index as usize]),
+            Linked::Blocks { first, .. } => prefetch(&self.blocks[first as usize]),
+            Linked::Mixed(_) => {}
+        }
+    }
+
+    /// The numbers of a leaf's blocks, and what is asked one by one.
+    #[inline(always)]
+    pub(super) fn leaf(&self, link: Link) -> (Range<usize>, &[u32]) {
+        match link.linked() {
+            Linked::Node(_) => (0..0, &[]),
+            Linked::Blocks { first, count } => (first as usize..(first + count) as usize, &[]),
             Linked::Mixed(index) => {
                 let Mixed { first_block, blocks, first_asked, asked } = self.mixed[index as usize];
                 let range = |first: u32, count: u32| first as usize..(first + count) as usize;
-                (&self.blocks[range(first_block, blocks)], &self.asked[range(first_asked, asked)])
+                (range(first_block, blocks), &self.asked[range(first_asked, asked)])
             }
         }
     }

@@ -128,14 +128,14 @@ const APART: f64 = 0.005;
 
 /// Rays in the middle of each zone; with a seed all of a pixel's rays go through the place of that number beside its centre, counted from 1,
 /// row by row.
-fn beside_the_centre(sample: Sample) -> DVec2 {
-    match sample.purpose {
-        Purpose::Pixel if sample.seed > 0 => {
-            let place = [(sample.seed - 1) % ALONG, (sample.seed - 1) / ALONG];
+fn beside_the_centre(first: Sample, points: &mut [DVec2]) {
+    match first.purpose {
+        Purpose::Pixel if first.seed > 0 => {
+            let place = [(first.seed - 1) % ALONG, (first.seed - 1) / ALONG];
             let middle = f64::from(ALONG - 1) / 2.0;
-            DVec2::from(place.map(|number| 0.5 + (f64::from(number) - middle) * APART))
+            points.fill(DVec2::from(place.map(|number| 0.5 + (f64::from(number) - middle) * APART)));
         }
-        _ => centred(sample),
+        _ => centred(first, points),
     }
 }
 

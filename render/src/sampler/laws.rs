@@ -18,8 +18,24 @@ fn points_lie_in_the_unit_square() {
     let square = 0.0..1.0;
     for (name, sampler) in SAMPLERS {
         for (purpose, index) in PURPOSES.into_iter().flat_map(|purpose| (0..5000).map(move |index| (purpose, index))) {
-            let point = sampler(Sample { count: 5000, index, ..sample(purpose) });
+            let point = Sample { count: 5000, index, ..sample(purpose) }.point(sampler);
             assert!(square.contains(&point.x) && square.contains(&point.y), "{name} {purpose:?} {index}: {point}");
+        }
+    }
+}
+
+#[test]
+fn points_are_the_same_alone_and_together() {
+    for (name, sampler) in SAMPLERS {
+        for (purpose, index) in
+            PURPOSES.into_iter().flat_map(|purpose| [0, 7, u32::MAX - 2].map(|index| (purpose, index)))
+        {
+            let first = Sample { index, ..sample(purpose) };
+            let mut together = [DVec2::ZERO; 9];
+            sampler(first, &mut together);
+            let mut alone = [DVec2::ZERO; 9];
+            first.each(&mut alone, |sample| sample.point(sampler));
+            assert_eq!(together, alone, "{name} {purpose:?} {index}");
         }
     }
 }
@@ -32,7 +48,8 @@ fn every_zone_of_a_pixel_has_its_rays() {
             let count = zones * zones * samples;
             let mut rays = vec![0; (zones * zones) as usize];
             for index in 0..count {
-                let place = sampler(Sample { seed, zones, count, index, ..sample(Purpose::Pixel) }) * f64::from(zones);
+                let sample = Sample { seed, zones, count, index, ..sample(Purpose::Pixel) };
+                let place = sample.point(sampler) * f64::from(zones);
                 rays[place.y as usize * zones as usize + place.x as usize] += 1;
             }
             assert!(rays.iter().all(|&rays| rays == samples), "{name}, {zones} x {zones} zones: {rays:?}");
@@ -45,8 +62,9 @@ fn every_zone_of_a_pixel_has_its_rays() {
 #[test]
 fn pixels_and_purposes_are_independent_and_uniform() {
     for (name, sampler) in SAMPLERS {
-        let at =
-            |number: u32, purpose| sampler(Sample { pixel: [number % 512, number / 512], index: 3, ..sample(purpose) });
+        let at = |number: u32, purpose| {
+            Sample { pixel: [number % 512, number / 512], index: 3, ..sample(purpose) }.point(sampler)
+        };
         if name != "centred" {
             assert_uniform(name, "x and y in the pixel", |n| fraction(4.0 * at(n, Purpose::Pixel)));
             assert_uniform(name, "neighbours", |n| {

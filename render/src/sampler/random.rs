@@ -3,19 +3,19 @@ use glam::DVec2;
 use super::{Purpose, Sample, hash};
 
 /// The report's stochastic sampling: a random place in each zone of the pixel, independent random numbers for everything else.
-pub fn random(sample: Sample) -> DVec2 {
-    match sample.purpose {
+pub fn random(first: Sample, points: &mut [DVec2]) {
+    first.each(points, |sample| match sample.purpose {
         Purpose::Pixel => in_zone(sample, independent(sample)),
         Purpose::Lens | Purpose::Light { .. } => independent(sample),
-    }
+    });
 }
 
 /// Each zone's middle, however many rays it has; all else as [`random`] does it. Sunflow's, without its jitter.
-pub fn centred(sample: Sample) -> DVec2 {
-    match sample.purpose {
+pub fn centred(first: Sample, points: &mut [DVec2]) {
+    first.each(points, |sample| match sample.purpose {
         Purpose::Pixel => in_zone(sample, DVec2::splat(0.5)),
         Purpose::Lens | Purpose::Light { .. } => independent(sample),
-    }
+    });
 }
 
 /// A place in the pixel from a place in a zone. The rays go round the zones, row by row from the top left.

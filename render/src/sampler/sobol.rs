@@ -21,23 +21,22 @@ use super::{Sample, hash};
 /// ```
 ///
 /// So any number of points is spread evenly, zones of a pixel get equally many, and more points can follow later.
-pub fn sobol(sample: Sample) -> DVec2 {
-    let Sample { seed, pixel: [x, y], purpose, .. } = sample;
+pub fn sobol(first: Sample, points: &mut [DVec2]) {
+    let Sample { seed, pixel: [x, y], purpose, .. } = first;
     let set = hash([seed, x, y, purpose.number()]);
-    let index = shuffle(sample.index, hash([set, 0]));
-    let first = scrambled(index.reverse_bits(), hash([set, 1]));
-    let second = scrambled(second_dimension(index), hash([set, 2]));
-    DVec2::new(f64::from(first), f64::from(second)) * (1.0 / 4_294_967_296.0)
+    let [order, across, down] = [0, 1, 2].map(|number| hash([set, number]));
+    for (number, point) in points.iter_mut().enumerate() {
+        let index = scrambled(first.index.wrapping_add(number as u32), order);
+        let x = laine_karras(index, across).reverse_bits();
+        let y = laine_karras(second_dimension(index), down).reverse_bits();
+        *point = DVec2::new(f64::from(x), f64::from(y)) * (1.0 / 4_294_967_296.0);
+    }
 }
 
-/// Owen's scrambling of a binary fraction: each bit is flipped or not, by chance, depending on all the higher ones.
+/// Owen's scrambling of a binary fraction: each bit is flipped or not, by chance, depending on all the higher ones. Of whole numbers it is another
+/// order that keeps each 2^k beginning with a multiple of 2^k together.
 fn scrambled(fraction: u32, seed: u32) -> u32 {
     laine_karras(fraction.reverse_bits(), seed).reverse_bits()
-}
-
-/// Another order of the whole numbers that keeps each 2^k beginning with a multiple of 2^k together.
-fn shuffle(index: u32, seed: u32) -> u32 {
-    scrambled(index, seed)
 }
 
 /// A random permutation of 32 bits in which each depends on the lower ones alone. (Laine and Karras: Stratified Sampling for Stochastic
@@ -50,18 +49,14 @@ fn laine_karras(mut bits: u32, seed: u32) -> u32 {
     bits ^ bits.wrapping_mul(0x53A2_2864)
 }
 
-/// Sobol's second dimension: its generator matrix is Pascal's triangle modulo 2, each column made of the one before.
-fn second_dimension(mut index: u32) -> u32 {
-    let mut fraction = 0;
-    let mut column = 1 << 31;
-    while index > 0 {
-        if index & 1 == 1 {
-            fraction ^= column;
-        }
-        column ^= column >> 1;
-        index >>= 1;
-    }
-    fraction
+/// Sobol's second dimension, the fraction's first bit lowest. (The first is the number itself.)
+///
+/// Its generator matrix is Pascal's triangle modulo 2: with the bits as coefficients of a polynomial, bit k becomes (1 + x)^k. That of a
+/// polynomial `A + x^16 B` is `A' + (1 + x^16) B'`, A' and B' being what becomes of its halves, which are cut in half in turn: five steps.
+fn second_dimension(index: u32) -> u32 {
+    const LOWER_HALVES: [(u32, u32); 5] =
+        [(16, 0x0000_FFFF), (8, 0x00FF_00FF), (4, 0x0F0F_0F0F), (2, 0x3333_3333), (1, 0x5555_5555)];
+    LOWER_HALVES.into_iter().fold(index, |bits, (half, lower)| bits ^ ((bits >> half) & lower))
 }
 
 #[cfg(test)]
@@ -80,7 +75,7 @@ mod tests {
                 let (columns, rows) = (1 << across, 1 << (k - across));
                 let mut points = vec![0; 1 << k];
                 for index in 0..1_u32 << k {
-                    let point = sobol(sample(seed, (block << k) + index));
+                    let point = sample(seed, (block << k) + index).point(sobol);
                     let [column, row] = [point.x * f64::from(columns), point.y * f64::from(rows)].map(|at| at as usize);
                     points[row * columns as usize + column] += 1;
                 }
@@ -95,7 +90,7 @@ mod tests {
         for (seed, columns) in [(0, 2), (1, 4), (2, 16)] {
             let mut points = vec![0; columns as usize];
             for index in 0..200 {
-                points[(sobol(sample(seed, index)).x * f64::from(columns)) as usize] += 1;
+                points[(sample(seed, index).point(sobol).x * f64::from(columns)) as usize] += 1;
                 let (few, many) = ((index + 1) / columns, (index + 1).div_ceil(columns));
                 assert!(points.iter().all(|&points| points == few || points == many), "{index}: {points:?}");
             }
@@ -105,7 +100,8 @@ mod tests {
     /// Published values: Joe and Kuo's table begins with these points.
     #[test]
     fn the_second_dimension_is_sobol_s() {
-        let found = [0, 1, 2, 3, 4, 5, 6, 7].map(|index| f64::from(second_dimension(index)) / 4_294_967_296.0);
+        let found =
+            [0, 1, 2, 3, 4, 5, 6, 7].map(|index| f64::from(second_dimension(index).reverse_bits()) / 4_294_967_296.0);
         assert_eq!(found, [0.0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875]);
     }
 

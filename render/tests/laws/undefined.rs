@@ -43,7 +43,7 @@ proptest! {
         for purpose in [Purpose::Pixel, Purpose::Lens, Purpose::Light { cluster, path }] {
             let sample = Sample { seed, pixel: [x, y], zones: 1 << zones, count, index, purpose };
             for sampler in [random, centred, sobol] as [Sampler; 3] {
-                let point = sampler(sample);
+                let point = sample.point(sampler);
                 prop_assert!(point.cmpge(DVec2::ZERO).all() && point.cmplt(DVec2::ONE).all(), "{} for {:?}", point, sample);
             }
         }

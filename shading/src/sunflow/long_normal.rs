@@ -13,13 +13,13 @@ pub struct LongNormal {
 
 impl Shader for LongNormal {
     fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
-        let Surface { geometric_normal, shading_normal, .. } = at.surface;
+        let &Surface { geometric_normal, shading_normal, .. } = at.surface;
         let surface = Surface {
             geometric_normal: geometric_normal * self.length,
             shading_normal: shading_normal * self.length,
-            ..at.surface
+            ..*at.surface
         };
-        self.shader.radiance(&ShadingPoint { surface, ..*at })
+        self.shader.radiance(&ShadingPoint { surface: &surface, ..*at })
     }
 
     fn casts_shadow(&self) -> bool {

@@ -26,7 +26,7 @@ impl<'a> Shaded<'a> {
 
     /// What shadow rays and mirrored rays start at.
     fn point(&self) -> Vec3 {
-        (self.at.ray_origin)(&self.at.surface, self.outward.as_dvec3())
+        (self.at.ray_origin)(self.at.surface, self.outward.as_dvec3())
     }
 
     /// The direction in which a mirror sends the ray, `2 (v.n) n - v`: along the ray itself where the shading normal leans away from
@@ -44,7 +44,7 @@ impl<'a> Shaded<'a> {
     /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
     pub(super) fn refracted(&self, direction: Vec3) -> Color {
         let Some(bounces) = self.at.bounces.refracted() else { return Color::BLACK };
-        let point = (self.at.ray_origin)(&self.at.surface, -self.outward.as_dvec3());
+        let point = (self.at.ray_origin)(self.at.surface, -self.outward.as_dvec3());
         self.at.world.trace(&Ray::new(point, direction.normalize()), bounces)
     }
 

@@ -42,7 +42,6 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("accel/src/wide/boxes.rs", "EPSILON", "the slack of a box test"),
     ("accel/src/wide/boxes.rs", "MIN_POSITIVE", "the least component that has a reciprocal"),
     ("accel/src/wide/boxes.rs", "1.0 / (1 << 48)", "the share of a direction that stands for 0"),
-    ("accel/src/wide/packet.rs", "MIN_POSITIVE", "the same, for eight rays in a step"),
     ("accel/src/wide/triangles.rs", "EPSILON", "the unit roundoff, in the bound of a filter: the exact test follows"),
     ("accel/src/wide/triangles.rs", "1.0 / (1 << 120)", "what underflows in that filter"),
     ("accel/src/wide/morton.rs", "MIN_POSITIVE", "a scene without extent, which is not to be divided by"),

@@ -1,7 +1,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::{Isa, Lanes};
+use super::{Avx512, Isa, Lanes, pair::Pair};
 
 /// AVX2: vectors of 256 bits.
 #[derive(Clone, Copy)]
@@ -21,7 +21,8 @@ impl Avx2 {
 }
 
 impl Isa for Avx2 {
-    type F32 = Eight;
+    type F32x8 = Eight;
+    type F32x16 = Pair<Eight>;
 
     #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
@@ -34,6 +35,29 @@ impl Isa for Avx2 {
     }
 }
 
+/// An instruction set with all of AVX2.
+pub(in crate::wide) trait HasAvx2: Isa {
+    /// A bit for each lane that compares so: a processor with AVX-512 compares into a mask, others into a vector.
+    fn compare<const PREDICATE: i32>(left: Eight, right: Eight) -> u32;
+}
+
+impl HasAvx2 for Avx2 {
+    #[inline(always)]
+    fn compare<const PREDICATE: i32>(left: Eight, right: Eight) -> u32 {
+        // SAFETY: kind 1.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<PREDICATE>(left.0, right.0)) as u32 }
+    }
+}
+
+impl HasAvx2 for Avx512 {
+    #[inline(always)]
+    fn compare<const PREDICATE: i32>(left: Eight, right: Eight) -> u32 {
+        // SAFETY: kind 1.
+        unsafe { u32::from(_mm256_cmp_ps_mask::<PREDICATE>(left.0, right.0)) }
+    }
+}
+
+/// 256 bits.
 #[derive(Clone, Copy)]
 pub(in crate::wide) struct Eight(__m256);
 
@@ -73,15 +97,17 @@ impl Mul for Eight {
     }
 }
 
-impl Lanes<Avx2> for Eight {
+impl<I: HasAvx2> Lanes<I> for Eight {
+    type Row = [f32; 8];
+
     #[inline(always)]
-    fn splat(_: Avx2, value: f32) -> Self {
+    fn splat(_: I, value: f32) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_set1_ps(value) })
     }
 
     #[inline(always)]
-    fn load(_: Avx2, from: &[f32; 8]) -> Self {
+    fn load(_: I, from: &[f32; 8]) -> Self {
         // SAFETY: kinds 1 and 2.
         Self(unsafe { _mm256_loadu_ps(from.as_ptr()) })
     }
@@ -123,14 +149,43 @@ impl Lanes<Avx2> for Eight {
     }
 
     #[inline(always)]
-    fn lt(self, other: Self) -> u32 {
+    fn or_where(self, lanes: u32, other: Self) -> Self {
         // SAFETY: kind 1.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0)) as u32 }
+        Self(unsafe {
+            let lane_bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+            let chosen = _mm256_and_si256(_mm256_set1_epi32(lanes as i32), lane_bits);
+            let chosen = _mm256_cmpeq_epi32(chosen, lane_bits);
+            _mm256_blendv_ps(self.0, other.0, _mm256_castsi256_ps(chosen))
+        })
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> u32 {
+        I::compare::<_CMP_LT_OQ>(self, other)
     }
 
     #[inline(always)]
     fn le(self, other: Self) -> u32 {
+        I::compare::<_CMP_LE_OQ>(self, other)
+    }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
         // SAFETY: kind 1.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
+        unsafe {
+            let four = _mm_min_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+            let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+            _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
+        }
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        // SAFETY: kind 1.
+        unsafe {
+            let four = _mm_max_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+            let two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+            _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)))
+        }
     }
 }

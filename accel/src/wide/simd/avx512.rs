@@ -1,7 +1,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::{Isa, Lanes};
+use super::{Isa, Lanes, avx2::Eight};
 
 /// AVX-512: twice the registers, comparisons into masks, and vectors of 512 bits for eight `f64`.
 #[derive(Clone, Copy)]
@@ -23,7 +23,8 @@ impl Avx512 {
 }
 
 impl Isa for Avx512 {
-    type F32 = Eight;
+    type F32x8 = Eight;
+    type F32x16 = Sixteen;
 
     #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
@@ -36,103 +37,124 @@ impl Isa for Avx512 {
     }
 }
 
+/// 512 bits.
 #[derive(Clone, Copy)]
-pub(in crate::wide) struct Eight(__m256);
+pub(in crate::wide) struct Sixteen(__m512);
 
-impl Add for Eight {
+impl Add for Sixteen {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_add_ps(self.0, other.0) })
+        Self(unsafe { _mm512_add_ps(self.0, other.0) })
     }
 }
 
-impl Sub for Eight {
+impl Sub for Sixteen {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_sub_ps(self.0, other.0) })
+        Self(unsafe { _mm512_sub_ps(self.0, other.0) })
     }
 }
 
-impl Div for Eight {
+impl Div for Sixteen {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_div_ps(self.0, other.0) })
+        Self(unsafe { _mm512_div_ps(self.0, other.0) })
     }
 }
 
-impl Mul for Eight {
+impl Mul for Sixteen {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_mul_ps(self.0, other.0) })
+        Self(unsafe { _mm512_mul_ps(self.0, other.0) })
     }
 }
 
-impl Lanes<Avx512> for Eight {
+impl Lanes<Avx512> for Sixteen {
+    type Row = [f32; 16];
+
     #[inline(always)]
     fn splat(_: Avx512, value: f32) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_set1_ps(value) })
+        Self(unsafe { _mm512_set1_ps(value) })
     }
 
     #[inline(always)]
-    fn load(_: Avx512, from: &[f32; 8]) -> Self {
+    fn load(_: Avx512, from: &[f32; 16]) -> Self {
         // SAFETY: kinds 1 and 2.
-        Self(unsafe { _mm256_loadu_ps(from.as_ptr()) })
+        Self(unsafe { _mm512_loadu_ps(from.as_ptr()) })
     }
 
     #[inline(always)]
-    fn store(self, to: &mut [f32; 8]) {
+    fn store(self, to: &mut [f32; 16]) {
         // SAFETY: kinds 1 and 2.
-        unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
+        unsafe { _mm512_storeu_ps(to.as_mut_ptr(), self.0) }
     }
 
     #[inline(always)]
     fn times_less(self, factor: Self, less: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_fmsub_ps(self.0, factor.0, less.0) })
+        Self(unsafe { _mm512_fmsub_ps(self.0, factor.0, less.0) })
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_min_ps(self.0, other.0) })
+        Self(unsafe { _mm512_min_ps(self.0, other.0) })
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_max_ps(self.0, other.0) })
+        Self(unsafe { _mm512_max_ps(self.0, other.0) })
     }
 
     #[inline(always)]
     fn abs(self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+        Self(unsafe { _mm512_andnot_ps(_mm512_set1_ps(-0.0), self.0) })
     }
 
     #[inline(always)]
     fn with_sign_of(self, other: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_or_ps(self.0, _mm256_and_ps(_mm256_set1_ps(-0.0), other.0)) })
+        Self(unsafe { _mm512_or_ps(self.0, _mm512_and_ps(_mm512_set1_ps(-0.0), other.0)) })
+    }
+
+    #[inline(always)]
+    fn or_where(self, lanes: u32, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe { _mm512_mask_blend_ps(lanes as __mmask16, self.0, other.0) })
     }
 
     #[inline(always)]
     fn lt(self, other: Self) -> u32 {
         // SAFETY: kind 1.
-        unsafe { u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)) }
+        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)) }
     }
 
     #[inline(always)]
     fn le(self, other: Self) -> u32 {
         // SAFETY: kind 1.
-        unsafe { u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
+        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
+    }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
+        // SAFETY: kind 1.
+        unsafe { _mm512_reduce_min_ps(self.0) }
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        // SAFETY: kind 1.
+        unsafe { _mm512_reduce_max_ps(self.0) }
     }
 }

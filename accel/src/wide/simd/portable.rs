@@ -1,7 +1,7 @@
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::{Isa, Lanes};
+use super::{Isa, Lanes, pair::Pair};
 
 /// What every processor has. The compiler makes of these loops whatever vectors the target is known to have.
 #[derive(Clone, Copy)]
@@ -11,7 +11,8 @@ pub(in crate::wide) struct Portable;
 pub(in crate::wide) struct Eight([f32; 8]);
 
 impl Isa for Portable {
-    type F32 = Eight;
+    type F32x8 = Eight;
+    type F32x16 = Pair<Eight>;
 
     #[inline(always)]
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R {
@@ -52,6 +53,8 @@ impl Mul for Eight {
 }
 
 impl Lanes<Portable> for Eight {
+    type Row = [f32; 8];
+
     #[inline(always)]
     fn splat(_: Portable, value: f32) -> Self {
         Self([value; 8])
@@ -94,6 +97,11 @@ impl Lanes<Portable> for Eight {
     }
 
     #[inline(always)]
+    fn or_where(self, lanes: u32, other: Self) -> Self {
+        Self(from_fn(|i| if lanes >> i & 1 == 1 { other.0[i] } else { self.0[i] }))
+    }
+
+    #[inline(always)]
     fn lt(self, other: Self) -> u32 {
         (0..8).fold(0, |bits, i| bits | u32::from(self.0[i] < other.0[i]) << i)
     }
@@ -101,5 +109,15 @@ impl Lanes<Portable> for Eight {
     #[inline(always)]
     fn le(self, other: Self) -> u32 {
         (0..8).fold(0, |bits, i| bits | u32::from(self.0[i] <= other.0[i]) << i)
+    }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
+        self.0.into_iter().fold(f32::INFINITY, |a, b| if a < b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        self.0.into_iter().fold(f32::NEG_INFINITY, |a, b| if a > b { a } else { b })
     }
 }

@@ -2,17 +2,27 @@ use std::mem::MaybeUninit;
 
 use super::super::MOST_PENDING;
 
-/// What a ray has still to visit. Its memory is not cleared for each ray, which would cost as much as a node.
-pub(in crate::wide) struct Stack<T: Copy> {
-    entries: [MaybeUninit<T>; MOST_PENDING],
+/// Room for a [`Stack`]. Its memory is not cleared for each ray, which would cost as much as a node.
+pub(in crate::wide) struct Room<T: Copy>([MaybeUninit<T>; MOST_PENDING]);
+
+impl<T: Copy> Room<T> {
+    #[inline(always)]
+    pub(in crate::wide) fn new() -> Self {
+        Self([const { MaybeUninit::uninit() }; MOST_PENDING])
+    }
+}
+
+/// What a ray has still to visit. The room is not part of it, so that its length can stand in a register.
+pub(in crate::wide) struct Stack<'a, T: Copy> {
+    entries: &'a mut [MaybeUninit<T>; MOST_PENDING],
     /// At most `MOST_PENDING`; the entries below it are written.
     length: usize,
 }
 
-impl<T: Copy> Stack<T> {
+impl<'a, T: Copy> Stack<'a, T> {
     #[inline(always)]
-    pub(in crate::wide) fn new() -> Self {
-        Self { entries: [const { MaybeUninit::uninit() }; MOST_PENDING], length: 0 }
+    pub(in crate::wide) fn within(room: &'a mut Room<T>) -> Self {
+        Self { entries: &mut room.0, length: 0 }
     }
 
     /// # Panics

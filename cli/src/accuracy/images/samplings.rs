@@ -95,7 +95,8 @@ mod tests {
         let ours = names(&Modules::default());
         assert_eq!(ours[BASE], "random");
         assert!(!ours.contains(&"yours".to_owned()));
-        let with_theirs = names(&Modules { sampler: |_| glam::DVec2::splat(0.5), ..Modules::default() });
+        let with_theirs =
+            names(&Modules { sampler: |_, points| points.fill(glam::DVec2::splat(0.5)), ..Modules::default() });
         assert_eq!(with_theirs.iter().filter(|name| !ours.contains(name)).collect::<Vec<_>>(), ["yours"]);
     }
 
