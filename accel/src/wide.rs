@@ -34,6 +34,7 @@ mod traverse;
 mod triangles;
 mod visits;
 
+use std::hint::cold_path;
 use std::marker::PhantomData;
 
 use geometry::{Hit, Interval, Primitives, Ray};
@@ -209,22 +210,30 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
 
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        if !is_ordinary(ray) {
-            return closest_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    closest_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        if !is_ordinary(ray) {
-            return any_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    any_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 
