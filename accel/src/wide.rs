@@ -11,9 +11,9 @@
 //!                                  cheapest.rs                   layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
 //! ```
 //!
-//! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
-//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` traces many rays at once. `simd.rs` is the only place that
-//! knows the processor.
+//! `f32` is precise enough to leave out most of what is missed, and to be certain of most of what is met: `boxes.rs` and `triangles.rs` argue how
+//! far their steps may be off, and pass on what they cannot tell; `decide.rs` then asks `geometry`, and once more for where the nearest
+//! is met. `packet.rs` traces many rays at once. `simd.rs` is the only place that knows the processor.
 //!
 //! A box test or a triangle test of someone else's ([`geometry::Kernels`]): triangles are then asked one by one, and boxes are still tested here.
 
