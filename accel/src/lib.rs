@@ -12,7 +12,7 @@
 //!
 //! Every accelerator returns the hit that [`none`] returns, bit for bit: `geometry` alone decides what is a hit and where,
 //! and of hits at one distance the lowest primitive's counts. An accelerator may only leave out primitives that the ray
-//! cannot meet. ([`wide_watertight`] alone decides hits itself.) It knows boxes and numbers, never a colour; infinite planes stand outside.
+//! cannot meet, or that it can prove not to be the nearest. ([`wide_watertight`] alone decides hits itself.) It knows boxes and numbers, never a colour; infinite planes stand outside.
 //!
 #![doc = include_str!("../docs/steps.md")]
 #![doc = "<div>\n"]
