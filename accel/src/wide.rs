@@ -8,7 +8,7 @@
 //! ```text
 //!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of eight boxes   --> ray: eight boxes in a step
 //!    pieces.rs       morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
-//!                                  cheapest.rs                   layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
+//!                                  cheapest.rs  slot.rs          layout.rs, rows.rs, build.rs   boxes.rs, triangles.rs, traverse.rs
 //! ```
 //!
 //! `f32` is precise enough to leave out most of what is missed, and to be certain of most of what is met: `boxes.rs` and `triangles.rs` argue how
@@ -23,13 +23,14 @@ mod cells;
 mod cheapest;
 mod collapse;
 mod decide;
-mod lay_out;
 mod layout;
 mod morton;
 mod packet;
 mod pieces;
+mod rows;
 mod simd;
 mod slot;
+mod step;
 mod traverse;
 mod triangles;
 mod visits;
@@ -47,6 +48,7 @@ use crate::{
 use decide::{Decide, Exact, Watertight};
 use layout::{Block, Link, Mixed, Node};
 use simd::{Isa, Portable};
+pub use step::Step;
 
 /// Levels of wide nodes, at most: below the 21 levels of the Morton codes 11 of rows cut in eight (8^11 > 2^32), and in each cell a
 /// node for a whole, a half and a pair.
@@ -57,12 +59,12 @@ const MOST_PENDING: usize = 7 * MOST_LEVELS + 1;
 
 /// Builds the wide octree; its hits are those of [`crate::none`], bit for bit.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {
-    best(primitives, Hits::Exact)
+    best(primitives, Hits::Exact, Step::ThinInPieces)
 }
 
 /// Builds the wide octree, with hits decided in `f32`: see [`Hits::Watertight`].
 pub fn wide_watertight(primitives: Primitives) -> Box<dyn Accelerator> {
-    best(primitives, Hits::Watertight)
+    best(primitives, Hits::Watertight, Step::ThinInPieces)
 }
 
 /// How the wide octree decides whether a ray meets a triangle of a mesh.
@@ -91,14 +93,19 @@ impl Instructions {
     pub const ALL: [Self; 3] = [Self::Avx512, Self::Avx2, Self::Portable];
 }
 
-fn best(primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
+/// Builds the wide octree up to a step; its hits are those of [`crate::none`], bit for bit, as well.
+pub fn wide_up_to(primitives: Primitives, step: Step) -> Box<dyn Accelerator> {
+    best(primitives, Hits::Exact, step)
+}
+
+fn best(primitives: Primitives, hits: Hits, step: Step) -> Box<dyn Accelerator> {
     let with = Instructions::ALL.into_iter().filter_map(Traversal::of).next();
-    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits)
+    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits, step)
 }
 
 /// Builds the wide octree to be traversed with the instructions named; `None` if this processor does not have them.
 pub fn wide_with(primitives: Primitives, hits: Hits, instructions: Instructions) -> Option<Box<dyn Accelerator>> {
-    Traversal::of(instructions).map(|traversal| traversal.over(primitives, hits))
+    Traversal::of(instructions).map(|traversal| traversal.over(primitives, hits, Step::ThinInPieces))
 }
 
 /// Instructions that this processor has.
@@ -123,8 +130,8 @@ impl Traversal {
         }
     }
 
-    fn over(self, primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
-        let tree = build::build(&primitives);
+    fn over(self, primitives: Primitives, hits: Hits, step: Step) -> Box<dyn Accelerator> {
+        let tree = build::build(&primitives, step);
         match self {
             #[cfg(target_arch = "x86_64")]
             Self::Avx512(isa) => Wide::boxed(isa, primitives, tree, hits),

@@ -1,6 +1,6 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
-use accel::{Accelerator, Hits, Instructions, none, octree, wide, wide_with};
+use accel::{Accelerator, Hits, Instructions, Step, none, octree, wide, wide_up_to, wide_with};
 use geometry::conformance::{Aimed, Enclosed, closed_meshes, times, triangles, wild_vectors};
 use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitive, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
@@ -160,7 +160,8 @@ fn accelerators(primitives: &Primitives) -> Vec<(String, Box<dyn Accelerator>)> 
         let built = wide_with(primitives.clone(), Hits::Exact, instructions)?;
         Some((format!("wide, {instructions:?}"), built))
     });
-    wide.chain([("octree".to_owned(), octree(primitives.clone()))]).collect()
+    let less = ("wide, one level a node".to_owned(), wide_up_to(primitives.clone(), Step::OneLevel));
+    wide.chain([("octree".to_owned(), octree(primitives.clone())), less]).collect()
 }
 
 /// Holds every accelerator to the hits of asking every primitive: one ray at a time, and many at once.

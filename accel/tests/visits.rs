@@ -1,6 +1,6 @@
 //! What accelerators tell of themselves, and of what a ray visits.
 
-use accel::{Accelerator, Visits, none, octree, wide};
+use accel::{Accelerator, Step, Visits, none, octree, wide, wide_up_to};
 use geometry::{Interval, Primitives, Ray, Sphere};
 use glam::Vec3;
 
@@ -54,4 +54,12 @@ fn each_accelerator_is_expected_to_cost_less_than_the_one_before_it() {
     let costs = [none, octree, wide].map(|build| build(spheres()).statistics().cost);
     assert_eq!(costs[0], 1000.0);
     assert!(costs[0] > costs[1] && costs[1] > costs[2], "{costs:?}");
+}
+
+#[test]
+fn each_step_of_the_wide_octree_is_expected_to_cost_no_more_than_the_one_before_it() {
+    let costs = Step::ALL.map(|step| wide_up_to(spheres(), step).statistics().cost);
+    assert!(costs[0] > 1.05 * costs[1], "{costs:?}");
+    // Spheres are not cut.
+    assert_eq!(costs[1], costs[2]);
 }

@@ -7,13 +7,14 @@ use rayon::prelude::*;
 use super::{
     Tree,
     cheapest::{Grown, cheapest},
-    lay_out::Layout,
     layout::{Block, Link, Mixed},
     morton::Grid,
+    rows::Rows,
+    step::Step,
 };
 use crate::ordinary::FARTHEST;
 
-pub(super) fn build(primitives: &Primitives) -> Tree {
+pub(super) fn build(primitives: &Primitives, step: Step) -> Tree {
     // What reaches further stands beside the tree. Written so that a NaN does not fit.
     let fits = |bounds: Aabb| bounds.min.min_element() > -FARTHEST && bounds.max.max_element() < FARTHEST;
     let around = |number: u32| Some(primitives.bounds(number)).filter(|&bounds| fits(bounds));
@@ -37,18 +38,18 @@ pub(super) fn build(primitives: &Primitives) -> Tree {
     if inside.is_empty() {
         return tree;
     }
-    let Grown { row, root } = cheapest(primitives, &inside, Grid::around(bounds));
+    let Grown { row, root } = cheapest(primitives, &inside, Grid::around(bounds), step);
     drop(inside);
-    tree.cost = root.cost_of_a_ray();
     tree.references = row.len();
-    match Layout::of(&root, primitives, &row) {
-        Some((link, laid_out)) => {
-            let Layout { nodes, block_numbers, mixed, asked, depth, leaves, largest_leaf, .. } = laid_out;
+    match Rows::of(&root, primitives, &row, step) {
+        Some((link, rows)) => {
+            let cost = rows.cost_of_a_ray(bounds);
+            let Rows { nodes, block_numbers, mixed, asked, depth, leaves, largest_leaf, .. } = rows;
             let blocks =
                 || block_numbers.par_iter().with_min_len(512).map(|numbers| block(primitives, numbers)).collect();
             // To free the cells takes as long as a tenth of the rest.
             let (blocks, ()) = rayon::join(blocks, || drop(root));
-            Tree { root: link, nodes, blocks, mixed, asked, depth, leaves, largest_leaf, ..tree }
+            Tree { root: link, nodes, blocks, mixed, asked, depth, leaves, largest_leaf, cost, ..tree }
         }
         // More than the links can name: 10^9 blocks. What stands beside the tree is found, too.
         None => Tree { beside: (0..primitives.len()).collect(), ..tree },
@@ -71,6 +72,7 @@ fn block(primitives: &Primitives, numbers: &[u32; 8]) -> Block {
 
 #[cfg(test)]
 mod tests {
+    use super::super::collapse::in_primitives;
     use super::*;
     use geometry::{Mesh, Sphere};
 
@@ -113,7 +115,7 @@ mod tests {
             let center = Vec3::new((number % 97) as f32, (number / 97 % 89) as f32, (number % 13) as f32);
             primitives.add_sphere(Sphere { center, radius: 0.25 });
         }
-        let tree = build(&primitives);
+        let tree = build(&primitives, Step::ThinInPieces);
         let mut seen = vec![0; primitives.len() as usize];
         let mut links = vec![tree.root];
         while let Some(link) = links.pop() {
@@ -129,13 +131,27 @@ mod tests {
         assert_eq!(seen.iter().position(|&times| times != 1), None);
     }
 
+    /// What the search promised is what is laid out.
+    #[test]
+    fn the_tree_costs_what_its_cuts_were_chosen_for() {
+        let primitives = triangles(30_000, 0.5, 0.5);
+        let numbers: Vec<u32> = (0..30_000).collect();
+        let bounds = numbers.iter().map(|&number| primitives.bounds(number)).fold(Aabb::EMPTY, Aabb::union);
+        let Grown { root, .. } = cheapest(&primitives, &numbers, Grid::around(bounds), Step::CheapestCuts);
+        let promised = in_primitives(root.costs[0] / bounds.half_surface());
+        let cost = build(&primitives, Step::CheapestCuts).cost;
+        // The same sum in another order: a rounding for each of some thousand terms.
+        assert!((cost - promised).abs() < 1e-3 * promised, "{cost} {promised}");
+        assert!(build(&primitives, Step::OneLevel).cost > promised);
+    }
+
     #[test]
     fn the_tree_does_not_depend_on_the_number_of_threads() {
         // The first as they are; of the second, most are cut in pieces.
         for (primitives, is_cut) in [(triangles(20_000, 0.5, 0.5), false), (triangles(20_000, 20.0, 0.01), true)] {
             let with = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("some threads");
-                pool.install(|| build(&primitives))
+                pool.install(|| build(&primitives, Step::ThinInPieces))
             };
             let alone = with(1);
             assert_eq!(alone.references > 20_000, is_cut, "{}", alone.references);

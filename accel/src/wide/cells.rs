@@ -3,7 +3,7 @@
 use geometry::Aabb;
 
 use super::{
-    collapse::{Cuts, SLOTS, in_primitives, leaf_cost},
+    collapse::{Cuts, SLOTS, leaf_cost},
     morton::{Coded, LEVELS},
 };
 
@@ -40,14 +40,6 @@ impl Divided {
     pub(super) fn eighth(&self, place: usize) -> Option<&Cell> {
         let below = self.occupied & ((1 << place) - 1);
         (self.occupied >> place & 1 == 1).then(|| &self.eighths[below.count_ones() as usize])
-    }
-}
-
-impl Cell {
-    /// What a ray that meets its box costs, in tests of a primitive.
-    pub(super) fn cost_of_a_ray(&self) -> f32 {
-        let surface = self.bounds.half_surface();
-        if surface > 0.0 { in_primitives(self.costs[0] / surface) } else { 0.0 }
     }
 }
 

@@ -49,6 +49,11 @@ pub(super) fn leaf_cost(bounds: Aabb, count: u32, asked: u32) -> f32 {
     bounds.half_surface() * (BLOCK * blocks as f32 + ASKED * asked as f32)
 }
 
+/// What a wide node costs the rays that meet its box, times the box's half surface.
+pub(super) fn node_cost(bounds: Aabb) -> f32 {
+    bounds.half_surface() * NODE
+}
+
 /// What triangles cost whose boxes have so much half surface together.
 pub(super) fn triangle_cost(half_surface: f32) -> f32 {
     BLOCK / 8.0 * half_surface
@@ -266,7 +271,7 @@ impl Shapes {
             }
         });
         let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
-        let as_node = whole.bounds.half_surface() * NODE + costs[whole.fills];
+        let as_node = node_cost(whole.bounds) + costs[whole.fills];
         (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
         for slots in 2..=SLOTS {
             // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.

@@ -32,6 +32,17 @@ impl<'a> Slot<'a> {
         self.cells().fold(Aabb::EMPTY, |all, cell| all.union(cell.bounds))
     }
 
+    /// A cell's eighths, each in a slot of its own.
+    pub(super) fn eighths(self) -> [Option<Self>; SLOTS] {
+        let eighth = |place| self.cell.divided.as_ref()?.eighth(place);
+        std::array::from_fn(|place| eighth(place).map(Self::whole))
+    }
+
+    /// How many references in it are asked one by one.
+    pub(super) fn asked(self) -> u32 {
+        self.cells().map(|cell| cell.asked).sum()
+    }
+
     /// How many references are in it.
     pub(super) fn count(self) -> u32 {
         self.cells().map(|cell| cell.count).sum()

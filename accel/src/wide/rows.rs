@@ -1,18 +1,20 @@
 //! The tree's nodes and leaves put in a row.
 
-use geometry::Primitives;
+use geometry::{Aabb, Primitives};
 use rayon::prelude::*;
 
 use super::{
     cells::Cell,
     cheapest::is_in_block,
-    collapse::{MOST_IN_A_LEAF, SLOTS},
+    collapse::{MOST_IN_A_LEAF, SLOTS, in_primitives, leaf_cost, node_cost},
     layout::{Link, Linked, Mixed, Node},
     slot::{Slot, cut},
+    step::Step,
 };
 
 /// What is below a slot, in the order in which it stands in memory.
-pub(super) struct Layout<'a> {
+pub(super) struct Rows<'a> {
+    step: Step,
     primitives: &'a Primitives,
     /// The primitives in the order of the cells.
     row: &'a [u32],
@@ -25,6 +27,8 @@ pub(super) struct Layout<'a> {
     pub(super) depth: usize,
     pub(super) leaves: usize,
     pub(super) largest_leaf: usize,
+    /// What all nodes and leaves cost, each times the half surface of its box.
+    cost: f32,
     /// What is left to others.
     left: Vec<Left<'a>>,
 }
@@ -43,15 +47,15 @@ struct Left<'a> {
 /// any number of threads.
 const WORTH_A_THREAD: u32 = 1 << 14;
 
-impl<'a> Layout<'a> {
+impl<'a> Rows<'a> {
     /// The whole tree, and the link to its root; `None` if it is more than links can name.
-    pub(super) fn of(root: &'a Cell, primitives: &'a Primitives, row: &'a [u32]) -> Option<(Link, Self)> {
-        let mut all = Self::empty(primitives, row);
+    pub(super) fn of(root: &'a Cell, primitives: &'a Primitives, row: &'a [u32], step: Step) -> Option<(Link, Self)> {
+        let mut all = Self::empty(primitives, row, step);
         let least = if root.count > WORTH_A_THREAD { WORTH_A_THREAD } else { 0 };
         let link = all.link(Slot::whole(root), 0, least)?;
         let left = std::mem::take(&mut all.left);
         let apart = |left: &Left<'a>| {
-            let mut part = Self::empty(primitives, row);
+            let mut part = Self::empty(primitives, row, step);
             part.link(left.slot, left.depth, 0).map(|link| (link, part))
         };
         let parts: Vec<_> = left.par_iter().map(apart).collect();
@@ -69,8 +73,15 @@ impl<'a> Layout<'a> {
         Some((link, all))
     }
 
-    fn empty(primitives: &'a Primitives, row: &'a [u32]) -> Self {
+    /// What a ray that meets the box around all costs, in tests of a primitive.
+    pub(super) fn cost_of_a_ray(&self, bounds: Aabb) -> f32 {
+        let surface = bounds.half_surface();
+        if surface > 0.0 { in_primitives(self.cost / surface) } else { 0.0 }
+    }
+
+    fn empty(primitives: &'a Primitives, row: &'a [u32], step: Step) -> Self {
         Self {
+            step,
             primitives,
             row,
             nodes: Vec::new(),
@@ -81,20 +92,24 @@ impl<'a> Layout<'a> {
             depth: 0,
             leaves: 0,
             largest_leaf: 0,
+            cost: 0.0,
             left: Vec::new(),
         }
     }
 
     /// Lays out a slot's content, and all below it but slots with no more than `least` references, which are left.
     fn link(&mut self, slot: Slot<'a>, depth: usize, least: u32) -> Option<Link> {
-        let slot = slot.settled();
-        if slot.is_leaf() {
+        let one_level = self.step == Step::OneLevel;
+        let slot = if one_level { slot } else { slot.settled() };
+        if slot.cell.divided.is_none() || (!one_level && slot.is_leaf()) {
             return self.leaf(slot);
         }
+        let slots = if one_level { slot.eighths() } else { cut(slot, SLOTS) };
+        self.cost += node_cost(slot.bounds());
         self.depth = self.depth.max(depth + 1);
         let node = self.nodes.len();
         self.nodes.push(Node::EMPTY);
-        for (place, slot) in cut(slot, SLOTS).into_iter().flatten().enumerate() {
+        for (place, slot) in slots.into_iter().flatten().enumerate() {
             let depth = depth + 1;
             if least > 0 && slot.count() <= least {
                 self.left.push(Left { slot, depth, node, place });
@@ -108,6 +123,7 @@ impl<'a> Layout<'a> {
 
     fn leaf(&mut self, slot: Slot) -> Option<Link> {
         self.leaves += 1;
+        self.cost += leaf_cost(slot.bounds(), slot.count(), slot.asked());
         let first_asked = self.asked.len();
         let mut triangles = [u32::MAX; MOST_IN_A_LEAF as usize];
         let mut count = 0;
@@ -163,6 +179,7 @@ impl<'a> Layout<'a> {
         self.asked.extend(part.asked);
         self.depth = self.depth.max(part.depth);
         self.leaves += part.leaves;
+        self.cost += part.cost;
         self.largest_leaf = self.largest_leaf.max(part.largest_leaf);
         moved(root)
     }
