@@ -11,9 +11,9 @@
 //!                                  cheapest.rs  slot.rs          layout.rs, rows.rs, build.rs   boxes.rs, triangles.rs, traverse.rs
 //! ```
 //!
-//! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
-//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` traces many rays at once. `simd.rs` is the only place that
-//! knows the processor.
+//! `f32` is precise enough to leave out most of what is missed, and to be certain of most of what is met: `boxes.rs` and `triangles.rs` argue how
+//! far their steps may be off, and pass on what they cannot tell; `decide.rs` then asks `geometry`, and once more for where the nearest
+//! is met. `packet.rs` traces many rays at once. `simd.rs` is the only place that knows the processor.
 //!
 //! A box test or a triangle test of someone else's ([`geometry::Kernels`]): triangles are then asked one by one, and boxes are still tested here.
 
@@ -35,6 +35,7 @@ mod traverse;
 mod triangles;
 mod visits;
 
+use std::hint::cold_path;
 use std::marker::PhantomData;
 
 use geometry::{Hit, Interval, Primitives, Ray};
@@ -216,22 +217,30 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
 
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        if !is_ordinary(ray) {
-            return closest_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    closest_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        if !is_ordinary(ray) {
-            return any_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    any_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 

@@ -53,9 +53,26 @@ impl Row {
     }
 }
 
+/// For x, y, z: each ray's.
 #[inline(always)]
-fn lanes_of<I: Isa>(isa: I, rows: &[Row; 3]) -> [I::F32x16; 3] {
-    [rows[0].lanes(isa), rows[1].lanes(isa), rows[2].lanes(isa)]
+fn components<I: Isa>(isa: I, of: impl Fn(usize, usize) -> f32) -> [I::F32x16; 3] {
+    [
+        I::F32x16::of_each(
+            isa,
+            #[inline(always)]
+            |ray| of(ray, 0),
+        ),
+        I::F32x16::of_each(
+            isa,
+            #[inline(always)]
+            |ray| of(ray, 1),
+        ),
+        I::F32x16::of_each(
+            isa,
+            #[inline(always)]
+            |ray| of(ray, 2),
+        ),
+    ]
 }
 
 /// The least and the greatest of the lanes.
@@ -105,16 +122,17 @@ impl<I: Isa> Packet<I> {
         if rays[1..4].iter().any(|ray| octant(ray) != octant(&rays[0])) {
             return None;
         }
-        let mut rows = [[Row([0.0; RAYS]); 3]; 2];
-        for (number, ray) in rays.iter().enumerate() {
-            for (rows, vector) in rows.iter_mut().zip([ray.origin, ray.direction]) {
-                for (row, component) in rows.iter_mut().zip(vector.to_array()) {
-                    row.0[number] = component;
-                }
-            }
-        }
+        let origins = components(
+            isa,
+            #[inline(always)]
+            |ray, axis| rays[ray].origin[axis],
+        );
+        let directions = components(
+            isa,
+            #[inline(always)]
+            |ray, axis| rays[ray].direction[axis],
+        );
         let (zero, farthest) = (I::F32x16::splat(isa, 0.0), I::F32x16::splat(isa, FARTHEST));
-        let [origins, directions] = [lanes_of(isa, &rows[0]), lanes_of(isa, &rows[1])];
         let [x, y, z] = [directions[0].abs(), directions[1].abs(), directions[2].abs()];
         let largest = x.max(y).max(z);
         let mut far = I::F32x16::splat(isa, 1.0 / FARTHEST).lt(largest) ^ ALL;
@@ -173,7 +191,11 @@ impl<I: Isa> Packet<I> {
             boxes: boxes.map(Row::of::<I>),
             axes,
             triangles: triangles.map(Row::of::<I>),
-            directions: [rows[1][axes[0]], rows[1][axes[1]], rows[1][axes[2]]],
+            directions: [
+                Row::of::<I>(&directions[axes[0]]),
+                Row::of::<I>(&directions[axes[1]]),
+                Row::of::<I>(&directions[axes[2]]),
+            ],
             beam,
         })
     }

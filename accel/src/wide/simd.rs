@@ -75,6 +75,8 @@ pub(super) trait Lanes<I>:
 
     /// The same number in all lanes.
     fn splat(isa: I, value: f32) -> Self;
+    /// A number for each lane, as it is asked for: without a detour through memory, on which a processor waits until all have been written.
+    fn of_each(isa: I, number: impl Fn(usize) -> f32) -> Self;
     /// Lane by lane from memory.
     fn load(isa: I, from: &Self::Row) -> Self;
     /// Lane by lane to memory.

@@ -2,7 +2,7 @@
 
 use geometry::{Hit, Interval, Primitives, Ray, TriangleLanes, intersect_lanes};
 
-use super::{ALL, Packet, RAYS, Row, bits};
+use super::{ALL, Packet, RAYS, Row, bits, components};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
@@ -163,32 +163,50 @@ impl<'a> Hits<'a> {
         }
     }
 
+    /// One of the corners of each ray's triangle: for x, y, z, axes turned.
+    #[inline(always)]
+    fn corners<I: Isa>(&self, packet: &Packet<I>, places: &[Place; RAYS], corner: usize) -> [[f32; RAYS]; 3] {
+        let [x, y, z] = components(
+            packet.isa,
+            #[inline(always)]
+            |ray, axis| places[ray].coordinate(self.blocks, corner, packet.axes[axis]),
+        );
+        [Row::of::<I>(&x).0, Row::of::<I>(&y).0, Row::of::<I>(&z).0]
+    }
+
     /// The nearest hits, at the end. All triangles are looked at closely in the same steps.
     #[inline(always)]
     fn finish<I: Isa, D: Decide>(&self, packet: &Packet<I>, found: &mut [Option<Hit>]) {
-        let row = [0.0; RAYS];
-        let mut lanes = TriangleLanes {
-            origin: [packet.triangles.origin[0].0, packet.triangles.origin[1].0, packet.triangles.origin[2].0],
-            direction: [packet.directions[0].0, packet.directions[1].0, packet.directions[2].0],
-            corners: [[row; 3]; 3],
-        };
-        let mut primitives = [0; RAYS];
-        for ray in 0..RAYS {
-            let place = self.nearest(ray).place;
-            if place.is_triangle() {
-                primitives[ray] = place.primitive(self.blocks);
-                for (rows, corner) in lanes.corners.iter_mut().zip(place.corners(self.blocks, packet.axes)) {
-                    (rows[0][ray], rows[1][ray], rows[2][ray]) = (corner.x, corner.y, corner.z);
-                }
+        let is_triangle = |ray: usize| self.nearest(ray).place.is_triangle();
+        if !(0..RAYS).any(is_triangle) {
+            for (ray, hit) in found.iter_mut().enumerate() {
+                *hit = self.nearest(ray & 15).known(self.known[ray & 15]);
+            }
+            return;
+        }
+        // Rays without a triangle have any: what comes of it is not looked at.
+        let mut places = [Place::new(0, 0); RAYS];
+        for (ray, place) in places.iter_mut().enumerate() {
+            if is_triangle(ray) {
+                *place = self.nearest(ray).place;
             }
         }
+        let lanes = TriangleLanes {
+            origin: [packet.triangles.origin[0].0, packet.triangles.origin[1].0, packet.triangles.origin[2].0],
+            direction: [packet.directions[0].0, packet.directions[1].0, packet.directions[2].0],
+            corners: [
+                self.corners(packet, &places, 0),
+                self.corners(packet, &places, 1),
+                self.corners(packet, &places, 2),
+            ],
+        };
         let met = intersect_lanes(&lanes);
         for (ray, hit) in found.iter_mut().enumerate() {
             let ray = ray & 15;
             let nearest = self.nearest(ray);
             let is_met = nearest.place.is_triangle() && met.is_in_doubt[ray] == 0 && self.within.contains(met.t[ray]);
             *hit = if is_met {
-                Some(Hit { t: met.t[ray], u: met.u[ray], v: met.v[ray], primitive: primitives[ray] })
+                Some(Hit { t: met.t[ray], u: met.u[ray], v: met.v[ray], primitive: places[ray].primitive(self.blocks) })
             } else {
                 nearest.finish::<D>(self.asked(ray), self.known[ray])
             };
