@@ -19,8 +19,13 @@ pub(super) fn build(primitives: &Primitives, step: Step) -> Tree {
     let fits = |bounds: Aabb| bounds.min.min_element() > -FARTHEST && bounds.max.max_element() < FARTHEST;
     let around = |number: u32| Some(primitives.bounds(number)).filter(|&bounds| fits(bounds));
     let all = (0..primitives.len()).into_par_iter().with_min_len(4096);
-    let bounds = all.clone().filter_map(around).reduce(|| Aabb::EMPTY, Aabb::union);
-    let (inside, beside): (Vec<u32>, Vec<u32>) = all.partition(|&number| around(number).is_some());
+    let both = |a: (Aabb, u32), b: (Aabb, u32)| (a.0.union(b.0), a.1 + b.1);
+    let (bounds, count) = all.clone().filter_map(around).map(|bounds| (bounds, 1)).reduce(|| (Aabb::EMPTY, 0), both);
+    let (inside, beside): (Vec<u32>, Vec<u32>) = if count == primitives.len() {
+        (all.collect(), Vec::new())
+    } else {
+        all.partition(|&number| around(number).is_some())
+    };
     let mut tree = Tree {
         root: Link::NOTHING,
         nodes: Vec::new(),

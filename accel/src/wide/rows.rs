@@ -47,6 +47,9 @@ struct Left<'a> {
 /// any number of threads.
 const WORTH_A_THREAD: u32 = 1 << 14;
 
+/// So many slots are laid out before they are put together.
+const LOT: usize = 64;
+
 impl<'a> Rows<'a> {
     /// The whole tree, and the link to its root; `None` if it is more than links can name.
     pub(super) fn of(root: &'a Cell, primitives: &'a Primitives, row: &'a [u32], step: Step) -> Option<(Link, Self)> {
@@ -58,15 +61,16 @@ impl<'a> Rows<'a> {
             let mut part = Self::empty(primitives, row, step);
             part.link(left.slot, left.depth, 0).map(|link| (link, part))
         };
-        let parts: Vec<_> = left.par_iter().map(apart).collect();
-        let count = |counted: fn(&Self) -> usize| parts.iter().flatten().map(|(_, part)| counted(part)).sum();
-        all.nodes.reserve_exact(count(|part| part.nodes.len()));
-        all.block_numbers.reserve_exact(count(|part| part.block_numbers.len()));
-        for (left, part) in left.into_iter().zip(parts) {
-            let (link, part) = part?;
-            let link = all.append(link, part)?;
-            all.nodes[left.node].set(left.place, left.slot.bounds(), link);
+        // Some at a time, so that the memory of one lot serves the next.
+        for lot in left.chunks(LOT) {
+            let parts: Vec<_> = lot.par_iter().map(apart).collect();
+            for (left, part) in lot.iter().zip(parts) {
+                let (link, part) = part?;
+                let link = all.append(link, part)?;
+                all.nodes[left.node].set(left.place, left.slot.bounds(), link);
+            }
         }
+        all.block_numbers.shrink_to_fit();
         all.mixed.shrink_to_fit();
         all.asked.shrink_to_fit();
         all.nodes.shrink_to_fit();
