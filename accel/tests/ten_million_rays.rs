@@ -31,9 +31,10 @@ const BATCH: u64 = 256;
 /// Every so many batches, the first ray is asked of every primitive.
 const SAMPLED: u64 = 16;
 
-/// All of them: `cargo test --release -p accel --test ten_million_rays -- --ignored --nocapture`. Some minutes.
+/// All of them: `cargo test --release -p accel --test ten_million_rays -- --ignored --nocapture`. Ten minutes of a
+/// processor and more.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes ten minutes and more"]
 fn ten_million_rays_find_the_same_in_both_octrees() {
     assert_eq!(COUNTS.iter().map(|(_, rays)| rays).sum::<u64>(), 10_000_000);
     for (name, rays) in COUNTS {
