@@ -57,7 +57,8 @@ pub struct Statistics {
     pub references: usize,
     /// The most entries in one leaf.
     pub largest_leaf: usize,
-    /// What a ray that meets the root costs, as the builder reckons by the surface area heuristic, in the builder's own unit.
+    /// What a ray is expected to cost that passes all that it might meet, in tests of one primitive: by the surface area heuristic, for
+    /// rays that meet the box around all primitives.
     pub cost: f32,
     /// Memory beside the primitives themselves.
     pub bytes: usize,

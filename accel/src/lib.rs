@@ -12,7 +12,13 @@
 //!
 //! Every accelerator returns the hit that [`none`] returns, bit for bit: `geometry` alone decides what is a hit and where,
 //! and of hits at one distance the lowest primitive's counts. An accelerator may only leave out primitives that the ray
-//! cannot meet. ([`wide_watertight`] alone decides hits itself.) It knows boxes and numbers, never a colour; infinite planes stand outside.
+//! cannot meet, or that it can prove not to be the nearest. ([`wide_watertight`] alone decides hits itself.) It knows boxes and numbers, never a colour; infinite planes stand outside.
+//!
+#![doc = include_str!("../docs/steps.md")]
+#![doc = "<div>\n"]
+#![doc = include_str!("../docs/octree.svg")]
+#![doc = "</div>\n\n"]
+#![doc = include_str!("../docs/papers.md")]
 
 mod accelerator;
 mod none;
@@ -23,4 +29,4 @@ mod wide;
 pub use accelerator::{Accelerator, Statistics, Visits};
 pub use none::none;
 pub use octree::octree;
-pub use wide::{Hits, Instructions, wide, wide_watertight, wide_with};
+pub use wide::{Hits, Instructions, Step, wide, wide_up_to, wide_watertight, wide_with};

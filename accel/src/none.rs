@@ -1,6 +1,6 @@
 use geometry::{Hit, Interval, Primitives, Ray};
 
-use crate::{Accelerator, Visits};
+use crate::{Accelerator, Statistics, Visits};
 
 /// No acceleration: every primitive is asked. The definition of the right answer.
 pub fn none(primitives: Primitives) -> Box<dyn Accelerator> {
@@ -22,6 +22,12 @@ impl Accelerator for EveryPrimitive {
 
     fn visits(&self, _ray: &Ray, _within: Interval) -> Visits {
         visits_of_all(&self.primitives)
+    }
+
+    /// One leaf, in which all stand.
+    fn statistics(&self) -> Statistics {
+        let count = self.primitives.len() as usize;
+        Statistics { leaves: 1, references: count, largest_leaf: count, cost: count as f32, ..Statistics::default() }
     }
 }
 

@@ -14,6 +14,7 @@
 
 mod ask;
 mod build;
+mod cost;
 mod overlap;
 mod traverse;
 
@@ -43,8 +44,6 @@ struct Octree {
     /// The leaves' primitives, leaf by leaf, each in rising order.
     references: Vec<u32>,
     depth: usize,
-    /// What a ray that passes the root costs, in tests of a primitive.
-    cost: f32,
 }
 
 /// A cell's cube. Computed on the way down, by the same steps when building and when traversing.
@@ -126,7 +125,7 @@ impl Accelerator for Octree {
             depth: self.depth,
             references: self.references.len(),
             largest_leaf: leaf_sizes().max().unwrap_or(0),
-            cost: self.cost,
+            cost: self.cost(),
             bytes: size_of_val(&self.nodes[..]) + size_of_val(&self.references[..]),
         }
     }

@@ -8,12 +8,12 @@
 //! ```text
 //!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of eight boxes   --> ray: eight boxes in a step
 //!    pieces.rs       morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
-//!                                  cheapest.rs                   layout.rs, build.rs         boxes.rs, triangles.rs, traverse.rs
+//!                                  cheapest.rs  slot.rs          layout.rs, rows.rs, build.rs   boxes.rs, triangles.rs, traverse.rs
 //! ```
 //!
-//! `f32` is precise enough to leave out, not to decide: `boxes.rs` and `triangles.rs` argue how far their steps may be off, and pass on
-//! what they cannot tell; `decide.rs` then asks `geometry`. `packet.rs` traces many rays at once. `simd.rs` is the only place that
-//! knows the processor.
+//! `f32` is precise enough to leave out most of what is missed, and to be certain of most of what is met: `boxes.rs` and `triangles.rs` argue how
+//! far their steps may be off, and pass on what they cannot tell; `decide.rs` then asks `geometry`, and once more for where the nearest
+//! is met. `packet.rs` traces many rays at once. `simd.rs` is the only place that knows the processor.
 //!
 //! A box test or a triangle test of someone else's ([`geometry::Kernels`]): triangles are then asked one by one, and boxes are still tested here.
 
@@ -27,11 +27,15 @@ mod layout;
 mod morton;
 mod packet;
 mod pieces;
+mod rows;
 mod simd;
+mod slot;
+mod step;
 mod traverse;
 mod triangles;
 mod visits;
 
+use std::hint::cold_path;
 use std::marker::PhantomData;
 
 use geometry::{Hit, Interval, Primitives, Ray};
@@ -44,6 +48,7 @@ use crate::{
 use decide::{Decide, Exact, Watertight};
 use layout::{Block, Link, Mixed, Node};
 use simd::{Isa, Portable};
+pub use step::Step;
 
 /// Levels of wide nodes, at most: below the 21 levels of the Morton codes 11 of rows cut in eight (8^11 > 2^32), and in each cell a
 /// node for a whole, a half and a pair.
@@ -54,12 +59,12 @@ const MOST_PENDING: usize = 7 * MOST_LEVELS + 1;
 
 /// Builds the wide octree; its hits are those of [`crate::none`], bit for bit.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {
-    best(primitives, Hits::Exact)
+    best(primitives, Hits::Exact, Step::ThinInPieces)
 }
 
 /// Builds the wide octree, with hits decided in `f32`: see [`Hits::Watertight`].
 pub fn wide_watertight(primitives: Primitives) -> Box<dyn Accelerator> {
-    best(primitives, Hits::Watertight)
+    best(primitives, Hits::Watertight, Step::ThinInPieces)
 }
 
 /// How the wide octree decides whether a ray meets a triangle of a mesh.
@@ -88,14 +93,19 @@ impl Instructions {
     pub const ALL: [Self; 3] = [Self::Avx512, Self::Avx2, Self::Portable];
 }
 
-fn best(primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
+/// Builds the wide octree up to a step; its hits are those of [`crate::none`], bit for bit, as well.
+pub fn wide_up_to(primitives: Primitives, step: Step) -> Box<dyn Accelerator> {
+    best(primitives, Hits::Exact, step)
+}
+
+fn best(primitives: Primitives, hits: Hits, step: Step) -> Box<dyn Accelerator> {
     let with = Instructions::ALL.into_iter().filter_map(Traversal::of).next();
-    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits)
+    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits, step)
 }
 
 /// Builds the wide octree to be traversed with the instructions named; `None` if this processor does not have them.
 pub fn wide_with(primitives: Primitives, hits: Hits, instructions: Instructions) -> Option<Box<dyn Accelerator>> {
-    Traversal::of(instructions).map(|traversal| traversal.over(primitives, hits))
+    Traversal::of(instructions).map(|traversal| traversal.over(primitives, hits, Step::ThinInPieces))
 }
 
 /// Instructions that this processor has.
@@ -120,8 +130,8 @@ impl Traversal {
         }
     }
 
-    fn over(self, primitives: Primitives, hits: Hits) -> Box<dyn Accelerator> {
-        let tree = build::build(&primitives);
+    fn over(self, primitives: Primitives, hits: Hits, step: Step) -> Box<dyn Accelerator> {
+        let tree = build::build(&primitives, step);
         match self {
             #[cfg(target_arch = "x86_64")]
             Self::Avx512(isa) => Wide::boxed(isa, primitives, tree, hits),
@@ -150,7 +160,7 @@ struct Tree {
     largest_leaf: usize,
     /// Primitives in leaves, those in several counted in each.
     references: usize,
-    /// What a ray that meets the root's box costs, in visits of a node.
+    /// What a ray that meets the root's box costs, in tests of a primitive.
     cost: f32,
 }
 
@@ -207,22 +217,30 @@ impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Wide<I, D> {
 
 impl<I: Isa + Send + Sync, D: Decide + Send + Sync> Accelerator for Wide<I, D> {
     fn closest(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        if !is_ordinary(ray) {
-            return closest_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::closest::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    closest_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        if !is_ordinary(ray) {
-            return any_of_all(&self.primitives, ray, within);
-        }
         self.isa.vectorize(
             #[inline(always)]
-            || traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within),
+            || {
+                if is_ordinary(ray) {
+                    traverse::any::<I, D>(self.isa, &self.tree, &self.primitives, ray, &within)
+                } else {
+                    cold_path();
+                    any_of_all(&self.primitives, ray, within)
+                }
+            },
         )
     }
 

@@ -1,6 +1,6 @@
 //! Every accelerator finds the hit that asking every primitive finds, bit for bit.
 
-use accel::{Accelerator, Hits, Instructions, none, octree, wide, wide_with};
+use accel::{Accelerator, Hits, Instructions, Step, none, octree, wide, wide_up_to, wide_with};
 use geometry::conformance::{Aimed, Enclosed, closed_meshes, times, triangles, wild_vectors};
 use geometry::{BoxProbe, Ellipsoid, Interval, Kernels, Mesh, Primitive, Primitives, Ray, Sphere, Transform};
 use glam::{DVec3, Vec3};
@@ -160,7 +160,8 @@ fn accelerators(primitives: &Primitives) -> Vec<(String, Box<dyn Accelerator>)> 
         let built = wide_with(primitives.clone(), Hits::Exact, instructions)?;
         Some((format!("wide, {instructions:?}"), built))
     });
-    wide.chain([("octree".to_owned(), octree(primitives.clone()))]).collect()
+    let less = ("wide, one level a node".to_owned(), wide_up_to(primitives.clone(), Step::OneLevel));
+    wide.chain([("octree".to_owned(), octree(primitives.clone())), less]).collect()
 }
 
 /// Holds every accelerator to the hits of asking every primitive: one ray at a time, and many at once.
@@ -261,6 +262,25 @@ proptest! {
         all.add_mesh(mesh);
         let rays: Vec<_> = rays.into_iter().map(|ray| (ray, Interval::FORWARD)).collect();
         assert_same_hits(&all, &rays);
+    }
+
+    /// Sixteen rays a few roundings apart, aimed at a corner or an edge: a packet finds what each ray finds alone.
+    #[test]
+    fn watertight_packets_hit_what_each_ray_hits(Enclosed { mesh, rays } in closed_meshes()) {
+        let mut all = Primitives::default();
+        all.add_mesh(mesh);
+        let wide = accel::wide_watertight(all);
+        for ray in &rays {
+            let beside = |step: u16| {
+                let factor = |bits: u16| 1.0 + f32::from(bits & 3) * f32::EPSILON;
+                ray.direction * Vec3::new(factor(step), factor(step >> 1), factor(step >> 2))
+            };
+            let bundle: Vec<_> = (0..16).map(|step| Ray::new(ray.origin, beside(step))).collect();
+            let mut hits = vec![None; bundle.len()];
+            wide.closest_many(&bundle, &mut hits);
+            let alone: Vec<_> = bundle.iter().map(|ray| wide.closest(ray, Interval::FORWARD)).collect();
+            prop_assert_eq!(hits, alone);
+        }
     }
 
     #[test]

@@ -49,6 +49,12 @@ impl Aabb {
         self.max - self.min
     }
 
+    /// Half the surface. A ray that meets a box meets a box inside it with the probability of the ratio of their surfaces.
+    pub fn half_surface(self) -> f32 {
+        let edge = self.extent();
+        edge.x * edge.y + edge.y * edge.z + edge.z * edge.x
+    }
+
     /// The greatest absolute value of any coordinate; 0 for the empty box.
     pub fn magnitude(self) -> f32 {
         if self.min.cmpgt(self.max).any() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }

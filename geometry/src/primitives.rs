@@ -164,8 +164,12 @@ impl Primitives {
     }
 
     /// A box around one.
+    #[inline]
     pub fn bounds(&self, number: u32) -> Aabb {
-        self.shape(number).bounds()
+        match self.numbered[number as usize] {
+            Number::Triangle(index) => self.shapes.triangles[index as usize].bounds(),
+            _ => self.shape(number).bounds(),
+        }
     }
 
     /// A triangle's corners, for accelerators that pack them; `None` for other shapes.

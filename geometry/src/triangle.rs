@@ -29,8 +29,10 @@ pub(crate) fn interpolate(values: [DVec3; 3], u: f32, v: f32) -> DVec3 {
 }
 
 impl Primitive for Triangle {
+    #[inline]
     fn bounds(&self) -> Aabb {
-        Aabb::around(self.corners)
+        let [a, b, c] = self.corners;
+        Aabb { min: a.min(b).min(c), max: a.max(b).max(c) }
     }
 
     /// See [`TriangleProbe`], which does it.

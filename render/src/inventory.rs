@@ -1,5 +1,6 @@
 use accel::Statistics;
-use geometry::PrimitiveCount;
+use geometry::{PrimitiveCount, Primitives, Ray};
+use glam::DVec2;
 
 use crate::{LightPlan, Scene, Settings};
 
@@ -31,6 +32,22 @@ pub struct Inventory {
 }
 
 impl Scene {
+    /// The bounded primitives, for who wants to find what meets them in another way.
+    pub fn bounded(&self) -> &Primitives {
+        &self.bounded
+    }
+
+    /// Rays of the camera spread evenly over the picture, so many along each edge; those of a lens from its middle.
+    pub fn camera_rays(&self, settings: &Settings, along_edge: u32) -> Vec<Ray> {
+        let size = DVec2::new(f64::from(settings.size[0]), f64::from(settings.size[1]));
+        let ray = |number: u32| {
+            let [column, row] = [number % along_edge, number / along_edge].map(f64::from);
+            let place = (DVec2::new(column, row) + 0.5) / f64::from(along_edge) * size;
+            self.camera.ray(self.raster.film(place, settings.size), &|| DVec2::splat(0.5))
+        };
+        (0..along_edge * along_edge).map(ray).collect()
+    }
+
     /// What the scene needs for a picture with these settings.
     pub fn inventory(&self, settings: &Settings) -> Inventory {
         let window = settings.window();

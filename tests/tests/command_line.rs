@@ -85,11 +85,33 @@ fn every_embedded_scene_passes_check() {
 #[test]
 fn inspect_shows_what_a_scene_needs_and_what_it_does_not() {
     let stdout = succeed(&folder(), &["inspect", "tiny.sc", "--aa", "1", "--samples", "3"]).stdout;
+    let (needs, _) = stdout.split_once("\n\n").expect("a table below it");
     // How much memory the parts take is theirs to change.
-    let (memory, rest): (Vec<&str>, Vec<&str>) =
-        stdout.lines().partition(|line| line.starts_with("  memory") || line.starts_with("  accelerator"));
-    assert!(memory.len() == 2 && memory.iter().all(|line| line.contains("bytes")), "{memory:?}");
+    let (memory, rest): (Vec<&str>, Vec<&str>) = needs.lines().partition(|line| line.starts_with("  memory"));
+    assert!(memory.len() == 1 && memory[0].contains("bytes"), "{memory:?}");
     insta::assert_snapshot!(rest.join("\n"));
+}
+
+#[test]
+fn inspect_holds_the_accelerators_against_each_other() {
+    let rows = |arguments: &[&str]| -> Vec<Vec<String>> {
+        let stdout = succeed(&folder(), &[&["inspect", "pyramid"], arguments].concat()).stdout;
+        let rows = stdout.lines().filter(|line| line.starts_with("| ")).skip(2);
+        rows.map(|row| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()).collect()
+    };
+    let usual = rows(&[]);
+    let names: Vec<&str> = usual.iter().map(|row| &*row[0]).collect();
+    assert_eq!(names, ["none", "octree", "wide"]);
+    let number = |row: usize, column: usize| usual[row][column].parse::<f64>().expect("a number");
+    // Without an accelerator a ray asks each primitive, and that is what it is expected to cost.
+    assert_eq!(number(0, 4), number(0, 10));
+    assert_eq!(number(0, 4), number(0, 7));
+    for row in [1, 2] {
+        assert!(number(row, 10) < number(0, 10), "{usual:?}");
+        assert!(usual[row][8].ends_with(" ms"), "{usual:?}");
+    }
+    let watertight = rows(&["--hits", "watertight"]);
+    assert_eq!((watertight.len(), &*watertight[3][0]), (4, "chosen"));
 }
 
 #[test]

@@ -83,26 +83,22 @@ pub fn differences(rays: &[Ray], ask: Ask, one: &dyn Tracer, other: &dyn Tracer)
     rays.iter().filter(differ).count()
 }
 
-/// Rays that one contestant traces before the next has its turn: a millisecond.
-const TURN: usize = 1 << 12;
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 9;
 
-/// The seconds of each contestant on the processor: for every turn the least disturbed of some rounds. Time that other programs take is
-/// not counted; on a busy machine it doubled single ratios.
+/// The seconds of each contestant on the processor: the median of some rounds, in each of which everyone traces all rays. Time that
+/// other programs take is not counted; on a busy machine it doubled single ratios.
 pub fn times(rays: &[Ray], contestants: &[Contestant]) -> Vec<f64> {
-    let mut totals = vec![0.0; contestants.len()];
-    for turn in rays.chunks(TURN) {
-        let mut least = vec![f64::INFINITY; contestants.len()];
-        for _ in 0..ROUNDS {
-            for (contestant, least) in contestants.iter().zip(&mut least) {
-                let start = ThreadTime::now();
-                black_box(contestant(turn));
-                *least = least.min(start.elapsed().as_secs_f64());
-            }
-        }
-        for (total, least) in totals.iter_mut().zip(least) {
-            *total += least;
+    let mut times = vec![Vec::new(); contestants.len()];
+    for _ in 0..ROUNDS {
+        for (contestant, times) in contestants.iter().zip(&mut times) {
+            let start = ThreadTime::now();
+            black_box(contestant(rays));
+            times.push(start.elapsed().as_secs_f64());
         }
     }
-    totals
+    let median = |times: &mut Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[ROUNDS / 2]
+    };
+    times.iter_mut().map(median).collect()
 }

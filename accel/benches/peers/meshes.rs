@@ -27,7 +27,7 @@ pub fn all() -> [(&'static str, Make); 5] {
 }
 
 /// A bumpy tube along a torus knot: as organic as a formula.
-fn knot(along: u32, around: u32) -> Scene {
+pub fn knot(along: u32, around: u32) -> Scene {
     let center = |s: f32| {
         let (p, q) = (2.0 * s, 3.0 * s);
         let ring = 2.0 + q.cos();

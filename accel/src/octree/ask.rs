@@ -57,7 +57,7 @@ impl Asking<'_> {
 
 impl Cell {
     /// Its cube.
-    fn bounds(self) -> Aabb {
+    pub(super) fn bounds(self) -> Aabb {
         let half = Vec3::splat(self.half);
         Aabb { min: self.center - half, max: self.center + half }
     }

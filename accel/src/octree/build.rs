@@ -7,7 +7,7 @@ use super::{Cell, Node, Octree, overlap::triangle_touches};
 const MAX_DEPTH: usize = 16;
 
 /// What visiting a divided cell costs, in tests of a primitive.
-const COST_OF_A_BRANCH: f32 = 4.0;
+pub(super) const COST_OF_A_BRANCH: f32 = 4.0;
 
 /// So many divisions in a row may seem not to pay: a tower that stands on the root's centre falls into four eighths whole before
 /// the next divisions cut it up.
@@ -18,11 +18,11 @@ pub(super) fn build(primitives: Primitives) -> Octree {
     let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
     let root = Cell::around(bounds);
     let grower = Grower { primitives: &primitives, boxes, slack: 8.0 * f32::EPSILON * bounds.magnitude() };
-    let Grown { tree, cost } = grower.grow(root, (0..primitives.len()).collect(), 0, PATIENCE);
+    let Grown { tree, .. } = grower.grow(root, (0..primitives.len()).collect(), 0, PATIENCE);
     let mut flat = Flat { nodes: vec![Node::Leaf { first: 0, count: 0 }], references: Vec::new(), depth: 0 };
     flat.lay_out(0, tree, 0);
     let Flat { nodes, references, depth } = flat;
-    Octree { primitives, bounds, root, nodes, references, depth, cost }
+    Octree { primitives, bounds, root, nodes, references, depth }
 }
 
 /// A cell with all below it.

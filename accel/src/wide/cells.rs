@@ -3,7 +3,7 @@
 use geometry::Aabb;
 
 use super::{
-    collapse::{Cuts, SLOTS, half_surface, leaf_cost},
+    collapse::{Cuts, SLOTS, leaf_cost},
     morton::{Coded, LEVELS},
 };
 
@@ -20,6 +20,8 @@ pub(super) struct Cell {
     pub(super) bounds: Aabb,
     /// What its content costs a ray, shown in 1 to 8 slots of a wide node.
     pub(super) costs: [f32; SLOTS],
+    /// How many slots it can fill, of 8: in a leaf one.
+    pub(super) fills: u8,
     /// `None` in a leaf.
     pub(super) divided: Option<Box<Divided>>,
 }
@@ -38,14 +40,6 @@ impl Divided {
     pub(super) fn eighth(&self, place: usize) -> Option<&Cell> {
         let below = self.occupied & ((1 << place) - 1);
         (self.occupied >> place & 1 == 1).then(|| &self.eighths[below.count_ones() as usize])
-    }
-}
-
-impl Cell {
-    /// What a ray that meets its box costs, in visits of a node.
-    pub(super) fn cost_of_a_ray(&self) -> f32 {
-        let surface = half_surface(self.bounds);
-        if surface > 0.0 { self.costs[0] / surface } else { 0.0 }
     }
 }
 
@@ -75,26 +69,20 @@ pub(super) fn grow(row: &[Coded], first: u32, content: &impl Content) -> Cell {
         }
     }
     let places = eighths(row);
-    let mut jobs = Vec::with_capacity(8);
-    let mut occupied = 0;
-    for (place, (start, end)) in places.into_iter().enumerate() {
-        if start < end {
-            occupied |= 1 << place;
-            jobs.push((&row[start..end], first + start as u32));
-        }
-    }
-    let grow = |&(row, first): &(&[Coded], u32)| grow(row, first, content);
+    let occupied = places.iter().rev().fold(0, |bits, &(start, end)| bits << 1 | u8::from(start < end));
+    let grow = |(start, end): (usize, usize)| grow(&row[start..end], first + start as u32, content);
+    let taken = places.into_iter().filter(|(start, end)| start < end);
     let eighths: Vec<Cell> = if row.len() > WORTH_A_THREAD {
         use rayon::prelude::*;
-        jobs.par_iter().map(grow).collect()
+        taken.collect::<Vec<_>>().into_par_iter().map(grow).collect()
     } else {
-        jobs.iter().map(grow).collect()
+        taken.map(grow).collect()
     };
     let bounds = eighths.iter().fold(Aabb::EMPTY, |all, cell| all.union(cell.bounds));
     let asked = eighths.iter().map(|cell| cell.asked).sum();
     let mut divided = Divided { eighths, occupied, cuts: Cuts::default() };
-    let costs = divided.find_cuts();
-    Cell { first, count: row.len() as u32, asked, bounds, costs, divided: Some(Box::new(divided)) }
+    let (costs, fills) = divided.find_cuts();
+    Cell { first, count: row.len() as u32, asked, bounds, costs, fills, divided: Some(Box::new(divided)) }
 }
 
 fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
@@ -106,8 +94,11 @@ fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
     }
     let count = row.len() as u32;
     let cost = leaf_cost(bounds, count, asked);
-    Cell { first, count, asked, bounds, costs: [cost; SLOTS], divided: None }
+    Cell { first, count, asked, bounds, costs: [cost; SLOTS], fills: 1, divided: None }
 }
+
+/// So many are counted sooner than searched.
+const FEW: usize = 64;
 
 /// Where each eighth of the smallest cell around a row starts and ends in it.
 ///
@@ -120,9 +111,18 @@ fn eighths(row: &[Coded]) -> [(usize, usize); 8] {
     // The highest level whose digits differ.
     let level = differ.ilog2() / 3;
     debug_assert!(level < LEVELS);
+    let place_of = |coded: &Coded| (coded.code >> (3 * level) & 7) as usize;
+    let mut counts = [0; 8];
+    if row.len() <= FEW {
+        row.iter().for_each(|coded| counts[place_of(coded)] += 1);
+    }
     let mut start = 0;
     std::array::from_fn(|place| {
-        let inside = row[start..].partition_point(|coded| (coded.code >> (3 * level) & 7) as usize <= place);
+        let inside = if row.len() <= FEW {
+            counts[place]
+        } else {
+            row[start..].partition_point(|coded| place_of(coded) <= place)
+        };
         let end = start + inside;
         (std::mem::replace(&mut start, end), end)
     })

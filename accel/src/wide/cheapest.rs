@@ -1,22 +1,26 @@
 //! Which octree: of whole primitives, or with thin triangles in pieces.
 
 use geometry::{Aabb, Primitives};
+use rayon::prelude::*;
 
 use super::{
     cells::{Cell, Content, grow},
     morton::{Grid, in_morton_order},
     pieces::{Piece, cost_of_thin_triangles, pieces},
+    step::Step,
 };
 
 /// Of what a tree costs the share that thin triangles must waste before they are cut, and that a tree of pieces must save.
 const WORTH_CUTTING: f32 = 0.1;
 
 /// The cheapest octree: of whole primitives, or with thin triangles in pieces.
-pub(super) fn cheapest(primitives: &Primitives, inside: &[u32], grid: Grid) -> Grown {
+pub(super) fn cheapest(primitives: &Primitives, inside: &[u32], grid: Grid, step: Step) -> Grown {
     let whole = Grown::of(inside, &Whole(primitives), grid);
+    if step < Step::ThinInPieces || primitives.kernels().triangle.is_some() {
+        return whole;
+    }
     let worthwhile = WORTH_CUTTING * whole.cost();
-    let most_saved = cost_of_thin_triangles(primitives, inside);
-    if primitives.kernels().triangle.is_some() || most_saved < worthwhile {
+    if cost_of_thin_triangles(primitives, inside) < worthwhile {
         return whole;
     }
     let pieces = pieces(primitives, inside, grid);
@@ -37,7 +41,10 @@ impl Grown {
     fn of(references: &[u32], content: &impl Content, grid: Grid) -> Self {
         let coded = in_morton_order(references, |reference| content.bounds(reference), grid);
         let root = grow(&coded, 0, content);
-        Self { row: coded.into_iter().map(|coded| content.primitive(coded.reference)).collect(), root }
+        Self {
+            row: coded.par_iter().with_min_len(4096).map(|coded| content.primitive(coded.reference)).collect(),
+            root,
+        }
     }
 
     fn cost(&self) -> f32 {

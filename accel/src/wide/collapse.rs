@@ -32,6 +32,11 @@ const BLOCK: f32 = 0.7;
 /// What asking one primitive costs.
 const ASKED: f32 = 0.5;
 
+/// A cost counted in primitives that are asked one by one: the unit that all accelerators share.
+pub(super) fn in_primitives(cost: f32) -> f32 {
+    cost / ASKED
+}
+
 /// The most primitives in a leaf.
 pub(super) const MOST_IN_A_LEAF: u32 = 16;
 
@@ -41,18 +46,17 @@ pub(super) fn leaf_cost(bounds: Aabb, count: u32, asked: u32) -> f32 {
         return f32::INFINITY;
     }
     let blocks = (count - asked).div_ceil(8);
-    half_surface(bounds) * (BLOCK * blocks as f32 + ASKED * asked as f32)
+    bounds.half_surface() * (BLOCK * blocks as f32 + ASKED * asked as f32)
+}
+
+/// What a wide node costs the rays that meet its box, times the box's half surface.
+pub(super) fn node_cost(bounds: Aabb) -> f32 {
+    bounds.half_surface() * NODE
 }
 
 /// What triangles cost whose boxes have so much half surface together.
 pub(super) fn triangle_cost(half_surface: f32) -> f32 {
     BLOCK / 8.0 * half_surface
-}
-
-/// Half of what a box shows from all sides.
-pub(super) fn half_surface(bounds: Aabb) -> f32 {
-    let edge = bounds.extent();
-    edge.x * edge.y + edge.y * edge.z + edge.z * edge.x
 }
 
 /// A union of a cell's eighths along the axes: 9 x + 3 y + z, each 0 (lower), 1 (upper) or 2 (both).
@@ -69,10 +73,26 @@ const WEIGHT: [usize; 3] = [9, 3, 1];
 /// The unions of more than one eighth, those with fewer "both" first: each comes after its parts.
 const LARGER: [Union; 19] = [2, 5, 6, 7, 11, 14, 15, 16, 18, 19, 21, 22, 8, 17, 20, 23, 24, 25, 26];
 
+/// Where a larger union stands in [`LARGER`].
+const PLACE: [u8; UNIONS] = {
+    let mut places = [u8::MAX; UNIONS];
+    let mut place = 0;
+    while place < LARGER.len() {
+        places[LARGER[place]] = place as u8;
+        place += 1;
+    }
+    places
+};
+
 /// Which eighth a union is, if it is one alone.
 pub(super) fn lone_eighth(union: Union) -> Option<usize> {
     let digits = WEIGHT.map(|weight| union / weight % 3);
     digits.iter().all(|&digit| digit < 2).then(|| digits[0] << 2 | digits[1] << 1 | digits[2])
+}
+
+/// The union that is one eighth alone.
+fn lone(place: usize) -> Union {
+    WEIGHT[0] * (place >> 2 & 1) + WEIGHT[1] * (place >> 1 & 1) + WEIGHT[2] * (place & 1)
 }
 
 /// Whether an eighth is in a union.
@@ -131,15 +151,36 @@ impl Way {
 }
 
 /// A union's two halves on an axis on which it is both.
-fn parts(union: Union, axis: usize) -> (Union, Union) {
+const fn parts(union: Union, axis: usize) -> (Union, Union) {
     (union - 2 * WEIGHT[axis], union - WEIGHT[axis])
 }
+
+/// The axes on which a union is both, with its lower and its upper half.
+fn halves(union: Union) -> impl Iterator<Item = (usize, Union, Union)> {
+    HALVES[union].iter().flatten().map(|&[axis, lower, upper]| (axis as usize, lower as usize, upper as usize))
+}
+
+const HALVES: [[Option<[u8; 3]>; 3]; UNIONS] = {
+    let mut halves = [[None; 3]; UNIONS];
+    let mut union = 0;
+    while union < UNIONS {
+        let mut axis = 0;
+        while axis < 3 {
+            if union / WEIGHT[axis] % 3 == 2 {
+                let (lower, upper) = parts(union, axis);
+                halves[union][axis] = Some([axis as u8, lower as u8, upper as u8]);
+            }
+            axis += 1;
+        }
+        union += 1;
+    }
+    halves
+};
 
 impl Cuts {
     /// How a larger union is best shown in at most so many slots.
     pub(super) fn shown(&self, union: Union, slots: usize) -> Shown {
-        let index = LARGER.iter().position(|&larger| larger == union).expect("not a lone eighth");
-        self.ways[index][slots - 1].of(union)
+        self.ways[usize::from(PLACE[union])][slots - 1].of(union)
     }
 }
 
@@ -150,76 +191,98 @@ struct Shape {
     count: u32,
     asked: u32,
     costs: [f32; SLOTS + 1],
+    /// So many slots, at most 8, it can fill: more cost the same.
+    fills: usize,
 }
 
 impl Shape {
     /// Nothing: shown in no slot at no cost.
-    const EMPTY: Self = Self { bounds: Aabb::EMPTY, count: 0, asked: 0, costs: [0.0; SLOTS + 1] };
+    const EMPTY: Self = Self { bounds: Aabb::EMPTY, count: 0, asked: 0, costs: [0.0; SLOTS + 1], fills: 0 };
 
     fn of(cell: &Cell) -> Self {
         let mut costs = [f32::INFINITY; SLOTS + 1];
         costs[1..].copy_from_slice(&cell.costs);
-        Self { bounds: cell.bounds, count: cell.count, asked: cell.asked, costs }
+        Self { bounds: cell.bounds, count: cell.count, asked: cell.asked, costs, fills: usize::from(cell.fills) }
     }
 }
 
 impl Divided {
-    /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole.
-    pub(super) fn find_cuts(&mut self) -> [f32; SLOTS] {
-        let mut shapes = [Shape::EMPTY; UNIONS];
-        for (union, shape) in shapes.iter_mut().enumerate() {
-            if let Some(cell) = lone_eighth(union).and_then(|place| self.eighth(place)) {
-                *shape = Shape::of(cell);
+    /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole, and how many slots it fills.
+    pub(super) fn find_cuts(&mut self) -> ([f32; SLOTS], u8) {
+        let mut shapes = Shapes { all: [Shape::EMPTY; UNIONS], of: std::array::from_fn(|union| union as u8) };
+        for place in 0..8 {
+            if let Some(cell) = self.eighth(place) {
+                shapes.all[lone(place)] = Shape::of(cell);
             }
         }
         for (index, &union) in LARGER.iter().enumerate() {
-            (shapes[union], self.cuts.ways[index]) = cheapest(&shapes, union);
+            self.cuts.ways[index] = shapes.find_cheapest(union);
         }
-        std::array::from_fn(|slots| shapes[WHOLE].costs[slots + 1])
+        let whole = shapes.of(WHOLE);
+        (std::array::from_fn(|slots| whole.costs[slots + 1]), whole.fills as u8)
     }
 }
 
-/// The cheapest ways to show a union, whose parts' are known.
-fn cheapest(shapes: &[Shape; UNIONS], union: Union) -> (Shape, [Way; SLOTS]) {
-    let axes = (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2);
-    let mut costs = [f32::INFINITY; SLOTS + 1];
-    let mut ways = [Way::LEAF; SLOTS];
-    let mut whole = Shape::EMPTY;
-    for axis in axes {
-        let (lower, upper) = parts(union, axis);
-        let (lower, upper) = (&shapes[lower], &shapes[upper]);
+/// The shapes of a cell's unions.
+struct Shapes {
+    all: [Shape; UNIONS],
+    /// Where each union's stands: where one part of it is empty, the other's.
+    of: [u8; UNIONS],
+}
+
+impl Shapes {
+    fn of(&self, union: Union) -> &Shape {
+        &self.all[usize::from(self.of[union])]
+    }
+
+    /// Finds the cheapest ways to show a union, whose parts' are known.
+    fn find_cheapest(&mut self, union: Union) -> [Way; SLOTS] {
         // Where one part is empty the other is the union, and is shown as it is.
-        if lower.count == 0 || upper.count == 0 {
-            let (full, share) = if lower.count == 0 { (upper, 0) } else { (lower, 1) };
-            return (*full, std::array::from_fn(|slots| Way::cut(axis, share * (slots + 1))));
+        for (axis, lower, upper) in halves(union) {
+            if self.of(lower).count == 0 || self.of(upper).count == 0 {
+                let (full, lower_share) = if self.of(lower).count == 0 { (upper, 0) } else { (lower, 1) };
+                self.of[union] = self.of[full];
+                return std::array::from_fn(|slots| Way::cut(axis, lower_share * (slots + 1)));
+            }
         }
-        whole = Shape {
-            bounds: lower.bounds.union(upper.bounds),
-            count: lower.count + upper.count,
-            asked: lower.asked + upper.asked,
-            costs,
-        };
-        for slots in 2..=SLOTS {
-            for lower_slots in 1..slots {
-                let cost = lower.costs[lower_slots] + upper.costs[slots - lower_slots];
-                if cost < costs[slots] {
-                    costs[slots] = cost;
-                    ways[slots - 1] = Way::cut(axis, lower_slots);
+        let mut costs = [f32::INFINITY; SLOTS + 1];
+        let mut ways = [Way::LEAF; SLOTS];
+        for (axis, lower, upper) in halves(union) {
+            let (lower, upper) = (self.of(lower), self.of(upper));
+            for lower_slots in 1..=lower.fills.min(SLOTS - 1) {
+                for upper_slots in 1..=upper.fills.min(SLOTS - lower_slots) {
+                    let (slots, cost) =
+                        (lower_slots + upper_slots, lower.costs[lower_slots] + upper.costs[upper_slots]);
+                    if cost < costs[slots] {
+                        costs[slots] = cost;
+                        ways[slots - 1] = Way::cut(axis, lower_slots);
+                    }
                 }
             }
         }
-    }
-    let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
-    let as_node = half_surface(whole.bounds) * NODE + costs[SLOTS];
-    (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
-    for slots in 2..=SLOTS {
-        // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.
-        if costs[slots - 1] < costs[slots] {
-            costs[slots] = costs[slots - 1];
-            ways[slots - 1] = Way::FEWER;
+        let whole = halves(union).next().map_or(Shape::EMPTY, |(_, lower, upper)| {
+            let (lower, upper) = (self.of(lower), self.of(upper));
+            Shape {
+                bounds: lower.bounds.union(upper.bounds),
+                count: lower.count + upper.count,
+                asked: lower.asked + upper.asked,
+                costs,
+                fills: SLOTS.min(lower.fills + upper.fills),
+            }
+        });
+        let as_leaf = leaf_cost(whole.bounds, whole.count, whole.asked);
+        let as_node = node_cost(whole.bounds) + costs[whole.fills];
+        (costs[1], ways[0]) = if as_leaf <= as_node { (as_leaf, Way::LEAF) } else { (as_node, Way::NODE) };
+        for slots in 2..=SLOTS {
+            // Not where they are equal: a node of no surface, shown in one slot, would be shown as itself.
+            if costs[slots - 1] < costs[slots] {
+                costs[slots] = costs[slots - 1];
+                ways[slots - 1] = Way::FEWER;
+            }
         }
+        self.all[union] = Shape { costs, ..whole };
+        ways
     }
-    (Shape { costs, ..whole }, ways)
 }
 
 #[cfg(test)]
@@ -229,14 +292,14 @@ mod tests {
     #[test]
     fn a_unions_parts_come_before_it() {
         for (index, &union) in LARGER.iter().enumerate() {
-            for axis in (0..3).filter(|&axis| union / WEIGHT[axis] % 3 == 2) {
-                let (lower, upper) = parts(union, axis);
+            for (_, lower, upper) in halves(union) {
                 for part in [lower, upper] {
                     assert!(lone_eighth(part).is_some() || LARGER[..index].contains(&part), "{part} of {union}");
                 }
             }
         }
         assert_eq!((0..UNIONS).filter(|&union| lone_eighth(union).is_some()).count() + LARGER.len(), UNIONS);
+        assert!((0..8).all(|place| lone_eighth(lone(place)) == Some(place)));
     }
 
     #[test]

@@ -54,6 +54,12 @@ impl Place {
         self.block(blocks).primitives[self.lane()]
     }
 
+    /// A coordinate of one of its corners.
+    #[inline(always)]
+    pub(super) fn coordinate(self, blocks: &[Block], corner: usize, axis: usize) -> f32 {
+        self.block(blocks).corners[corner][axis][self.lane()]
+    }
+
     /// Its corners, axes turned.
     #[inline(always)]
     pub(super) fn corners(self, blocks: &[Block], axes: [usize; 3]) -> [Vec3; 3] {

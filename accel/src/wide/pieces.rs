@@ -20,10 +20,7 @@ use geometry::{Aabb, Primitives, Triangle};
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::{
-    collapse::{half_surface, triangle_cost},
-    morton::Grid,
-};
+use super::{collapse::triangle_cost, morton::Grid};
 
 /// A primitive, or a part of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +75,7 @@ impl Thinness {
 
     fn of(triangle: &Triangle) -> Self {
         let [a, b, c] = triangle.corners;
-        let (normal, around) = ((b - a).cross(c - a), half_surface(Aabb::around(triangle.corners)));
+        let (normal, around) = ((b - a).cross(c - a), Aabb::around(triangle.corners).half_surface());
         // What it shows along each axis, from both sides: half of its surface, counted as a box's is.
         let ordinary = ORDINARY * 0.5 * (normal.x.abs() + normal.y.abs() + normal.z.abs());
         if around > ordinary { Self { waste: around - ordinary, pieces: around / ordinary } } else { Self::NONE }
@@ -286,7 +283,7 @@ mod tests {
         let surface = |cuts| {
             let pieces = in_pieces(&diagonal, cuts);
             assert_eq!(pieces.len(), cuts + 1);
-            pieces.iter().map(|piece| half_surface(piece.bounds)).sum::<f32>()
+            pieces.iter().map(|piece| piece.bounds.half_surface()).sum::<f32>()
         };
         // n equal pieces have n (1/n)^2 of the surface; planes in the middle half make them equal within a factor of 3.
         let whole = surface(0);

@@ -45,6 +45,19 @@ pub(super) trait Isa: Copy {
     fn vectorize<R>(self, code: impl FnOnce() -> R) -> R;
 }
 
+/// Asks for memory that will be read soon; where the processor cannot be asked, nothing is done.
+#[inline(always)]
+pub(super) fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: kind 1, for every x86-64 has it. Nothing is read: any address will do.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast::<i8>().wrapping_add(line)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
+}
+
 /// Each component, changed. (`array::map` is not always compiled for the instructions of who calls it.)
 #[inline(always)]
 pub(super) fn map<T, U>([x, y, z]: &[T; 3], change: impl Fn(&T) -> U) -> [U; 3] {
@@ -62,6 +75,8 @@ pub(super) trait Lanes<I>:
 
     /// The same number in all lanes.
     fn splat(isa: I, value: f32) -> Self;
+    /// A number for each lane, as it is asked for: without a detour through memory, on which a processor waits until all have been written.
+    fn of_each(isa: I, number: impl Fn(usize) -> f32) -> Self;
     /// Lane by lane from memory.
     fn load(isa: I, from: &Self::Row) -> Self;
     /// Lane by lane to memory.

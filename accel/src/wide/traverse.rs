@@ -9,7 +9,7 @@ use super::{
     boxes::{BoxRays, near_sides},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node},
-    simd::{Isa, Lanes, Room, Stack},
+    simd::{Isa, Lanes, Room, Stack, prefetch},
     triangles::{Met, TriangleRays},
 };
 use crate::none::closest_of;
@@ -314,6 +314,16 @@ pub(super) fn any_of(primitives: &Primitives, numbers: &[u32], ray: &Ray, within
 }
 
 impl Tree {
+    /// Asks for the memory of a node, or of a leaf's first block.
+    #[inline(always)]
+    pub(super) fn prefetch(&self, link: Link) {
+        match link.linked() {
+            Linked::Node(index) => prefetch(&self.nodes[index as usize]),
+            Linked::Blocks { first, .. } => prefetch(&self.blocks[first as usize]),
+            Linked::Mixed(_) => {}
+        }
+    }
+
     /// The numbers of a leaf's blocks, and what is asked one by one.
     #[inline(always)]
     pub(super) fn leaf(&self, link: Link) -> (Range<usize>, &[u32]) {

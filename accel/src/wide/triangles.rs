@@ -259,3 +259,79 @@ impl Block {
         I::F32x8::load(isa, &self.corners[corner][axis])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use geometry::{Intersection, Ray, TriangleProbe, conformance::triangles};
+    use glam::Vec3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::wide::simd::Portable;
+
+    /// What is told of one triangle, and what the probe says.
+    fn both(corners: [Vec3; 3], ray: &Ray, within: Interval) -> (Option<Met<f32>>, Option<Intersection>) {
+        let probe = TriangleProbe::new(ray);
+        let magnitude = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f32::max);
+        let turned = corners.map(|corner| probe.turned(corner).to_array());
+        let (origin, direction) = (probe.turned(ray.origin).to_array(), probe.turned(ray.direction).to_array());
+        let rays = TriangleRays::<f32>::new(Portable, origin, direction, magnitude);
+        let met = rays.meet::<Portable>(Portable, |corner, axis| turned[corner][axis], within, within.max);
+        (met, probe.intersect(turned.map(Vec3::from), within))
+    }
+
+    fn check(corners: [Vec3; 3], ray: &Ray, within: Interval) -> Result<bool, TestCaseError> {
+        let (met, truth) = both(corners, ray, within);
+        let Some(met) = met else {
+            prop_assert_eq!(truth, None, "a hit was left out");
+            return Ok(false);
+        };
+        prop_assert!(met.possible == 1 || truth.is_none(), "a hit was left out: {:?}", truth);
+        if met.certain == 1 {
+            let t = truth.map(|truth| truth.t);
+            let is_between = t.is_some_and(|t| met.low <= t && t <= met.high);
+            prop_assert!(is_between, "{:?} is not between {} and {}", t, met.low, met.high);
+        }
+        Ok(met.certain == 1)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4096, ..ProptestConfig::default() })]
+
+        /// Aimed at corners, edges and beside them, from near and far, edge-on and at slivers.
+        #[test]
+        fn nothing_met_is_left_out_and_what_is_certain_is_met_there(aimed in triangles(), end in 0.0_f32..3.0) {
+            let corners = aimed.shape.corners;
+            check(corners, &aimed.ray, Interval::FORWARD)?;
+            check(corners, &aimed.ray, Interval { min: 0.0, max: end })?;
+        }
+
+        /// Aimed within some roundings of an edge of a small triangle, seen from some distance.
+        #[test]
+        fn so_it_is_within_roundings_of_an_edge(
+            corners in prop::array::uniform3(prop::array::uniform3(-1.0_f32..1.0)),
+            origin in prop::array::uniform3(-1.0_f32..1.0),
+            (scale, far) in (0_i32..12, 0_i32..12),
+            (along, off) in (0.0_f32..1.0, -40_i32..40),
+            edge in 0_usize..3,
+        ) {
+            let far = f32::powi(2.0, far) * Vec3::new(0.8, -0.5, 0.9);
+            let corners = corners.map(|corner| f32::powi(0.5, scale) * Vec3::from(corner) + far);
+            let origin = Vec3::from(origin);
+            let target = corners[edge].lerp(corners[(edge + 1) % 3], along);
+            let target = target + off as f32 * f32::EPSILON * far.abs().max_element() * Vec3::X;
+            check(corners, &Ray::new(origin, target - origin), Interval::FORWARD)?;
+        }
+    }
+
+    /// The bounds are not so wide that nothing would be certain.
+    #[test]
+    fn a_ray_through_the_middle_is_certain_to_meet() {
+        let corners = [Vec3::new(-1.0, -1.0, 4.0), Vec3::new(1.0, -1.0, 5.0), Vec3::new(0.0, 1.0, 3.0)];
+        let ray = Ray::new(Vec3::ZERO, Vec3::new(0.01, -0.02, 1.0));
+        assert!(check(corners, &ray, Interval::FORWARD).is_ok_and(|is_certain| is_certain));
+        let (met, truth) = both(corners, &ray, Interval::FORWARD);
+        let (met, t) = (met.unwrap(), truth.unwrap().t);
+        assert!(met.high - met.low < 1e-4 * t, "{} to {}", met.low, met.high);
+    }
+}

@@ -1,3 +1,5 @@
+mod accelerators;
+
 use std::fmt::Write;
 
 use accel::Statistics;
@@ -13,7 +15,8 @@ pub(crate) fn run(arguments: &InspectArguments, modules: Modules) -> Result<(), 
     let source = SceneSource::find(&arguments.scene.scene)?;
     let parsed = source.parse(&modules);
     let ready = source.assemble(&parsed, &arguments.options, modules, Show::BeforeRendering)?;
-    print(&describe(source.label(), &ready))
+    let chosen = arguments.options.modules(modules).accelerator;
+    print(&format!("{}\n{}", describe(source.label(), &ready), accelerators::table(&ready, chosen)))
 }
 
 fn describe(label: &str, ready: &ReadyScene) -> String {
@@ -27,9 +30,8 @@ fn describe(label: &str, ready: &ReadyScene) -> String {
     row("rays", rays(&inventory, settings));
     row("primitives", primitives(&inventory));
     row("memory", format!("{} for the primitives", bytes(inventory.primitive_bytes)));
-    row("accelerator", tree(&inventory.accelerator));
     if let Some(blockers) = &inventory.blockers {
-        row("for shadows", format!("{}, of what is not glass", tree(blockers)));
+        row("for shadows", format!("a second accelerator, of what is not glass: {}", tree(blockers)));
     }
     row("lights", inventory.lights.to_string());
     row("shaders", format!("{}: {}", inventory.shaders, or_none(&assembled.shading.types)));
@@ -80,18 +82,12 @@ fn rays(inventory: &Inventory, settings: &Settings) -> String {
 }
 
 fn tree(statistics: &Statistics) -> String {
-    if *statistics == Statistics::default() {
-        return "none: every primitive is asked".to_owned();
-    }
     format!(
-        "{} branches in {} levels, {} leaves with {} references (at most {} in one), {}, expected cost {:.1}",
+        "{} nodes and {} leaves with {} references, {}",
         thousands(statistics.branches as u64),
-        statistics.depth,
         thousands(statistics.leaves as u64),
         thousands(statistics.references as u64),
-        statistics.largest_leaf,
         bytes(statistics.bytes),
-        statistics.cost
     )
 }
 

@@ -107,6 +107,14 @@ impl<I: HasAvx2> Lanes<I> for Eight {
     }
 
     #[inline(always)]
+    #[rustfmt::skip]
+    fn of_each(_: I, number: impl Fn(usize) -> f32) -> Self {
+        let [a, b, c, d, e, f, g, h] = [number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)];
+        // SAFETY: kind 1.
+        Self(unsafe { _mm256_setr_ps(a, b, c, d, e, f, g, h) })
+    }
+
+    #[inline(always)]
     fn load(_: I, from: &[f32; 8]) -> Self {
         // SAFETY: kinds 1 and 2.
         Self(unsafe { _mm256_loadu_ps(from.as_ptr()) })

@@ -87,6 +87,15 @@ impl Lanes<Avx512> for Sixteen {
     }
 
     #[inline(always)]
+    #[rustfmt::skip]
+    fn of_each(_: Avx512, number: impl Fn(usize) -> f32) -> Self {
+        let [a, b, c, d, e, f, g, h] = [number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)];
+        let [i, j, k, l, m, n, o, p] = [number(8), number(9), number(10), number(11), number(12), number(13), number(14), number(15)];
+        // SAFETY: kind 1.
+        Self(unsafe { _mm512_setr_ps(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p) })
+    }
+
+    #[inline(always)]
     fn load(_: Avx512, from: &[f32; 16]) -> Self {
         // SAFETY: kinds 1 and 2.
         Self(unsafe { _mm512_loadu_ps(from.as_ptr()) })

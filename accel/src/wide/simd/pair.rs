@@ -61,6 +61,18 @@ impl<I: Copy, L: Lanes<I, Row = [f32; 8]>> Lanes<I> for Pair<L> {
     }
 
     #[inline(always)]
+    fn of_each(isa: I, number: impl Fn(usize) -> f32) -> Self {
+        Self(
+            L::of_each(isa, &number),
+            L::of_each(
+                isa,
+                #[inline(always)]
+                |lane| number(lane + 8),
+            ),
+        )
+    }
+
+    #[inline(always)]
     fn load(isa: I, from: &[f32; 16]) -> Self {
         let [low, high] = halves(from);
         Self(L::load(isa, low), L::load(isa, high))

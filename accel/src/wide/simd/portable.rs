@@ -61,6 +61,11 @@ impl Lanes<Portable> for Eight {
     }
 
     #[inline(always)]
+    fn of_each(_: Portable, number: impl Fn(usize) -> f32) -> Self {
+        Self(from_fn(number))
+    }
+
+    #[inline(always)]
     fn load(_: Portable, from: &[f32; 8]) -> Self {
         Self(*from)
     }

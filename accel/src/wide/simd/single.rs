@@ -10,6 +10,11 @@ impl<I: Copy> Lanes<I> for f32 {
     }
 
     #[inline(always)]
+    fn of_each(_: I, number: impl Fn(usize) -> f32) -> Self {
+        number(0)
+    }
+
+    #[inline(always)]
     fn load(_: I, from: &f32) -> Self {
         *from
     }

@@ -1,0 +1,65 @@
+//! What accelerators tell of themselves, and of what a ray visits.
+
+use accel::{Accelerator, Step, Visits, none, octree, wide, wide_up_to};
+use geometry::{Interval, Primitives, Ray, Sphere};
+use glam::Vec3;
+
+/// 1000 spheres of radius 0.3 on the whole numbers from 0 to 9.
+fn spheres() -> Primitives {
+    let mut primitives = Primitives::default();
+    for number in 0..1000 {
+        let center = Vec3::new((number % 10) as f32, (number / 10 % 10) as f32, (number / 100) as f32);
+        primitives.add_sphere(Sphere { center, radius: 0.3 });
+    }
+    primitives
+}
+
+fn visits(accelerator: &dyn Accelerator, origin: [f32; 3], direction: [f32; 3]) -> Visits {
+    accelerator.visits(&Ray::new(origin.into(), direction.into()), Interval::FORWARD)
+}
+
+#[test]
+fn every_primitive_is_asked_without_an_accelerator() {
+    assert_eq!(visits(&*none(spheres()), [-5.0, 0.0, 0.0], [0.0, 0.0, 1.0]), Visits { nodes: 0, primitives: 1000 });
+}
+
+#[test]
+fn a_ray_past_everything_visits_the_root_at_most() {
+    for tree in [octree(spheres()), wide(spheres())] {
+        let Visits { nodes, primitives } = visits(&*tree, [-5.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+        assert!(nodes <= 1 && primitives == 0, "{nodes} {primitives}");
+    }
+}
+
+#[test]
+fn a_ray_between_the_spheres_visits_more_than_one_that_stops_at_the_first() {
+    for tree in [octree(spheres()), wide(spheres())] {
+        let stopped = visits(&*tree, [-5.0, 4.0, 4.0], [1.0, 0.0, 0.0]);
+        let passing = visits(&*tree, [-5.0, 4.25, 4.25], [1.0, 0.0, 0.0]);
+        assert!(stopped.nodes >= 1 && stopped.primitives >= 1, "{stopped:?}");
+        assert!(passing.nodes > stopped.nodes && passing.primitives < 500, "{passing:?} {stopped:?}");
+    }
+}
+
+/// A ray that is not ordinary is answered by asking every primitive.
+#[test]
+fn a_ray_that_is_no_number_asks_every_primitive() {
+    for tree in [octree(spheres()), wide(spheres())] {
+        assert_eq!(visits(&*tree, [f32::NAN, 0.0, 0.0], [1.0, 0.0, 0.0]), Visits { nodes: 0, primitives: 1000 });
+    }
+}
+
+#[test]
+fn each_accelerator_is_expected_to_cost_less_than_the_one_before_it() {
+    let costs = [none, octree, wide].map(|build| build(spheres()).statistics().cost);
+    assert_eq!(costs[0], 1000.0);
+    assert!(costs[0] > costs[1] && costs[1] > costs[2], "{costs:?}");
+}
+
+#[test]
+fn each_step_of_the_wide_octree_is_expected_to_cost_no_more_than_the_one_before_it() {
+    let costs = Step::ALL.map(|step| wide_up_to(spheres(), step).statistics().cost);
+    assert!(costs[0] > 1.05 * costs[1], "{costs:?}");
+    // Spheres are not cut.
+    assert_eq!(costs[1], costs[2]);
+}
