@@ -1,6 +1,7 @@
 use std::ops::Range;
 
 use geometry::{Hit, Ray};
+use glam::DVec2;
 use shading::Color;
 
 use crate::{
@@ -24,6 +25,7 @@ pub(crate) struct CameraRays<'a> {
     tracer: Tracer<'a>,
     lost: LostRays,
     together: usize,
+    in_pixel: [DVec2; TOGETHER],
     rays: Vec<Ray>,
     /// The number of each ray's pixel.
     pixels: Vec<usize>,
@@ -41,6 +43,7 @@ impl<'a> CameraRays<'a> {
             tracer,
             lost: LostRays::default(),
             together,
+            in_pixel: [DVec2::ZERO; TOGETHER],
             rays: Vec::with_capacity(together),
             pixels: Vec::with_capacity(together),
             points: Vec::with_capacity(together),
@@ -61,7 +64,8 @@ impl<'a> CameraRays<'a> {
         let mut index = indices.start;
         while index < indices.end {
             let count = (indices.end - index).min((self.together - self.rays.len()) as u32);
-            self.tracer.camera_rays(Sample { index, ..first }, count as usize, &mut self.rays);
+            let in_pixel = &mut self.in_pixel[..count as usize];
+            self.tracer.camera_rays(Sample { index, ..first }, in_pixel, &mut self.rays);
             let samples = (index..index + count).map(|index| Sample { index, ..first });
             self.points.extend(samples.map(|sample| (sample, None)));
             self.pixels.extend((0..count).map(|_| pixel));

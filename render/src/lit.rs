@@ -23,8 +23,8 @@ pub(crate) struct Lit {
     places: usize,
     /// What was found at each point; `None` if it was not asked for.
     found: Vec<Option<Found>>,
-    /// What one light would bring to which points, and the segments that must be free for that.
-    arriving: Vec<(usize, Incident)>,
+    /// Which points one light is asked for, and the segments to it that must be free.
+    asked: Vec<usize>,
     segments: Vec<Ray>,
     blocked: Vec<bool>,
 }
@@ -68,22 +68,23 @@ impl Lit {
     }
 
     fn ask_light(&mut self, number: u32, tracer: &Tracer<'_>, points: &[(Sample, Option<Seen>)]) {
-        self.arriving.clear();
+        self.asked.clear();
         self.segments.clear();
         for (point, ((sample, seen), found)) in points.iter().zip(&mut self.found).enumerate() {
             if let (Some(seen), Some(found)) = (seen, found)
                 && let Some((incident, segment)) = tracer.arriving(number, sample, seen)
             {
                 found.segments += 1;
-                self.arriving.push((point, incident));
+                // In the next free place, taken only if nothing is in the way.
+                self.incidents[point * self.places + found.taken] = incident;
+                self.asked.push(point);
                 self.segments.push(segment);
             }
         }
         self.blocked.resize(self.segments.len(), false);
         tracer.blocked_many(&self.segments, &mut self.blocked);
-        for (&(point, incident), &blocked) in self.arriving.iter().zip(&self.blocked) {
+        for (&point, &blocked) in self.asked.iter().zip(&self.blocked) {
             if !blocked && let Some(found) = &mut self.found[point] {
-                self.incidents[point * self.places + found.taken] = incident;
                 found.taken += 1;
             }
         }

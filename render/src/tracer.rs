@@ -6,9 +6,6 @@ use shading::{Bounces, Color, Incident, PointLight, ShadingPoint, World};
 
 use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings, lit::LitPoint};
 
-/// A pixel's samples are made so many at a time.
-const SAMPLES_TOGETHER: usize = 16;
-
 /// Follows rays through a scene and counts them. Each thread has its own, so that counting costs the others nothing.
 pub(crate) struct Tracer<'a> {
     scene: &'a Scene,
@@ -28,22 +25,19 @@ impl<'a> Tracer<'a> {
         self.rays.take()
     }
 
-    /// Adds rays of a pixel as they leave the camera: this sample's and the following ones'.
-    pub(crate) fn camera_rays(&self, first: Sample, count: usize, rays: &mut Vec<Ray>) {
+    /// Adds rays of a pixel as they leave the camera: this sample's and the next ones', as many as there is room for places in the pixel.
+    pub(crate) fn camera_rays(&self, first: Sample, in_pixel: &mut [DVec2], rays: &mut Vec<Ray>) {
         let Scene { camera, raster, sampler, .. } = self.scene;
         let corner = DVec2::new(f64::from(first.pixel[0]), f64::from(first.pixel[1]));
-        let mut in_pixel = [DVec2::splat(0.5); SAMPLES_TOGETHER];
-        for start in (0..count).step_by(SAMPLES_TOGETHER) {
-            let in_pixel = &mut in_pixel[..SAMPLES_TOGETHER.min(count - start)];
-            let first = Sample { index: first.index + start as u32, ..first };
+        if first.count == 1 {
             // A single ray has nothing to be averaged with.
-            if first.count > 1 {
-                sampler(Sample { purpose: Purpose::Pixel, ..first }, in_pixel);
-            }
-            for (&in_pixel, index) in in_pixel.iter().zip(first.index..) {
-                let on_lens = || Sample { purpose: Purpose::Lens, index, ..first }.point(*sampler);
-                rays.push(camera.ray(raster.film(corner + in_pixel, self.settings.size), &on_lens));
-            }
+            in_pixel.fill(DVec2::splat(0.5));
+        } else {
+            sampler(Sample { purpose: Purpose::Pixel, ..first }, in_pixel);
+        }
+        for (&in_pixel, index) in in_pixel.iter().zip(first.index..) {
+            let on_lens = || Sample { purpose: Purpose::Lens, index, ..first }.point(*sampler);
+            rays.push(camera.ray(raster.film(corner + in_pixel, self.settings.size), &on_lens));
         }
     }
 
