@@ -98,9 +98,12 @@ impl Accelerator for OneByOne {
     }
 }
 
+/// As [`Modules::accelerator`].
+type Build = fn(Primitives) -> Box<dyn Accelerator>;
+
 #[test]
 fn every_accelerator_gives_the_same_bits() {
-    let others: [(&str, fn(Primitives) -> Box<dyn Accelerator>); 3] = [
+    let others: [(&str, Build); 3] = [
         ("none", accel::none),
         ("octree", accel::octree),
         ("one ray at a time", |primitives| Box::new(OneByOne(accel::wide(primitives)))),
