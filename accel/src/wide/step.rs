@@ -1,4 +1,4 @@
-/// How far the wide octree is built: each step has those before it in it. For comparison; [`super::wide`] takes the last.
+/// How far the wide octree is built: each step has those before it in it. For comparison; [`wide`](fn@crate::wide) takes the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
     /// Each node is one cell of the octree, and its slots are the cell's eighths.
