@@ -26,10 +26,10 @@ use super::{
 /// moves the ray by 2^-47 R inside the tree. [`crate::ordinary`] has seen to it that nothing overflows to a NaN.
 pub(super) struct BoxRays<T> {
     /// Of the near planes and of the far ones: the origin, moved, times `i`.
-    pub(super) near: [T; 3],
-    pub(super) far: [T; 3],
+    near: [T; 3],
+    far: [T; 3],
     pub(super) inverse: [T; 3],
-    pub(super) min: T,
+    min: T,
 }
 
 /// Of a sum of coordinates, the slack that every box has.

@@ -267,9 +267,7 @@ impl<I: Isa> Packet<I> {
         }
         met
     }
-}
 
-impl<I: Isa> Packet<I> {
     /// One of the rays, ready for the triangles of a block.
     #[inline(always)]
     fn aimed<'a>(&self, ray: usize, asked: Asked<'a>) -> Aimed<'a, I> {
@@ -297,14 +295,4 @@ impl<I: Isa> Packet<I> {
             limits.lanes(isa),
         )
     }
-}
-
-/// The bits of a number that are set, from the lowest.
-#[inline(always)]
-fn bits(mut set: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lowest = (set != 0).then_some(set.trailing_zeros() as usize);
-        set &= set.wrapping_sub(1);
-        lowest
-    })
 }

@@ -1,8 +1,8 @@
 //! Vectors of eight numbers and of sixteen, in three instruction sets.
 //!
 //! A traversal is written once, over [`Isa`], and compiled three times: for AVX-512, for AVX2, and for any processor. Which one runs is
-//! asked of the processor when the accelerator is built. All three do the same IEEE operations in the same order, none fused, so
-//! they give the same bits.
+//! asked of the processor when the accelerator is built. All three do the same IEEE operations in the same order, so they give the same
+//! bits; what may be fused ([`Lanes::times_less`]) only leaves boxes out, within a bound that allows for either.
 //!
 //! # Safety
 //!
@@ -56,6 +56,16 @@ pub(super) fn prefetch<T>(soon: &T) {
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = soon;
+}
+
+/// The bits of a number that are set, from the lowest.
+#[inline(always)]
+pub(super) fn bits(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (set != 0).then_some(set.trailing_zeros() as usize);
+        set &= set.wrapping_sub(1);
+        lowest
+    })
 }
 
 /// Each component, changed. (`array::map` is not always compiled for the instructions of who calls it.)

@@ -9,7 +9,7 @@ use super::{
     boxes::{BoxRays, near_sides},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node},
-    simd::{Isa, Lanes, Room, Stack, prefetch},
+    simd::{Isa, Lanes, Room, Stack, bits, prefetch},
     triangles::{Met, TriangleRays},
 };
 use crate::none::closest_of;
@@ -81,7 +81,7 @@ impl<I: Isa> Bound<I> {
             best = near;
             stack.push(far);
             if stack.len() > start + 1 {
-                sink(stack.since(start));
+                sink(stack.since(start), |&entry| entry);
             }
         }
         Some(Link::from_bits(best as u32))
@@ -129,10 +129,8 @@ impl<'a, I: Isa> Aimed<'a, I> {
         let (mut low, mut high) = ([0.0; 8], [0.0; 8]);
         met.low.store(&mut low);
         met.high.store(&mut high);
-        let mut possible = met.possible;
-        while possible != 0 {
-            let lane = possible.trailing_zeros() as usize & 7;
-            possible &= possible - 1;
+        for lane in bits(met.possible) {
+            let lane = lane & 7;
             let place = Place::new(block, lane);
             nearest = if met.certain >> lane & 1 == 1 {
                 nearest.or_certain::<D>(self.asked, known, place, [low[lane], high[lane]])
@@ -154,15 +152,8 @@ impl<'a, I: Isa> Aimed<'a, I> {
 /// Whether any of a block's triangles that may be met is. A call of its own, for it is rare.
 #[cold]
 #[inline(never)]
-pub(super) fn is_any_met<D: Decide>(asked: Asked, block: usize, mut possible: u32) -> bool {
-    while possible != 0 {
-        let lane = possible.trailing_zeros() as usize & 7;
-        possible &= possible - 1;
-        if D::hit(asked, Place::new(block, lane), asked.within.min).is_some() {
-            return true;
-        }
-    }
-    false
+pub(super) fn is_any_met<D: Decide>(asked: Asked, block: usize, possible: u32) -> bool {
+    bits(possible).any(|lane| D::hit(asked, Place::new(block, lane), asked.within.min).is_some())
 }
 
 /// A ray's nearest hit.
@@ -248,9 +239,9 @@ fn nearest_of(primitives: &Primitives, numbers: &[u32], asked: Asked, nearest: O
 
 /// Moves the last entry down to its place: the nearest last.
 #[inline(always)]
-pub(super) fn sink(entries: &mut [Pending]) {
+pub(super) fn sink<T>(entries: &mut [T], pending: impl Fn(&T) -> Pending) {
     let mut place = entries.len() - 1;
-    while place > 0 && entries[place - 1] < entries[place] {
+    while place > 0 && pending(&entries[place - 1]) < pending(&entries[place]) {
         entries.swap(place - 1, place);
         place -= 1;
     }

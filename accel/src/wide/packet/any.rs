@@ -2,12 +2,12 @@
 
 use geometry::{Interval, Primitives, Ray};
 
-use super::{ALL, Packet, RAYS, Row, bits};
+use super::{ALL, Packet, RAYS, Row};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide},
     layout::{Block, Link},
-    simd::{Isa, Room, Stack},
+    simd::{Isa, Room, Stack, bits},
     traverse::{any_of, is_any_met},
 };
 

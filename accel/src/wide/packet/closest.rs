@@ -2,13 +2,13 @@
 
 use geometry::{Hit, Interval, Primitives, Ray, TriangleLanes, intersect_lanes};
 
-use super::{ALL, Packet, RAYS, Row, bits, components};
+use super::{ALL, Packet, RAYS, Row, components};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link},
-    simd::{Isa, Lanes, Room, Stack},
-    traverse::{Pending, distance, nearest_with, pending},
+    simd::{Isa, Lanes, Room, Stack, bits},
+    traverse::{Pending, distance, nearest_with, pending, sink},
 };
 
 /// The nearest hit of each ray, anywhere in front of it; `false` if the rays go different ways, and nothing was done.
@@ -42,7 +42,7 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
                 if rays != 0 {
                     tree.prefetch(node.links[slot]);
                     stack.push((pending(distances[slot], node.links[slot]), rays));
-                    sink(stack.since(start));
+                    sink(stack.since(start), |entry| entry.0);
                 }
             }
         } else {
@@ -211,15 +211,5 @@ impl<'a> Hits<'a> {
                 nearest.finish::<D>(self.asked(ray), self.known[ray])
             };
         }
-    }
-}
-
-/// Moves the last entry down to its place: the nearest last.
-#[inline(always)]
-fn sink(entries: &mut [(Pending, u32)]) {
-    let mut place = entries.len() - 1;
-    while place > 0 && entries[place - 1].0 < entries[place].0 {
-        entries.swap(place - 1, place);
-        place -= 1;
     }
 }
