@@ -5,11 +5,16 @@
 //!
 //! A failing case prints as a literal. To paste it, write `use glam::{DMat3, dvec3 as DVec3, vec3 as Vec3};`.
 
+mod figure;
+mod law;
+mod picture;
 mod secondary;
 
 use glam::{DMat3, DVec3, Vec3};
 use proptest::prelude::*;
 
+pub use figure::{Figure, Ink};
+pub use law::{Broken, Counterexample, Law, Trial, Verdict, same};
 pub use secondary::{Apart, CubeEdge, GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, triangles_apart};
 
 use crate::{Aabb, Mesh, Plane, Ray, Sphere, Transform, Triangle};
