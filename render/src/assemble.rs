@@ -179,7 +179,7 @@ impl<'a> Parts<'a> {
     }
 
     fn set_camera(&mut self, camera: &scene_file::Camera) {
-        match camera::camera(camera) {
+        match camera::camera(camera, self.modules) {
             Ok(None) => {}
             Ok(camera) => self.camera = camera,
             Err(diagnostic) => self.diagnostics.push(diagnostic),
@@ -238,6 +238,7 @@ impl<'a> Parts<'a> {
             ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
+            renderer: self.modules.render,
         };
         Ok(Assembled { scene, settings, warnings: self.diagnostics, shading })
     }
