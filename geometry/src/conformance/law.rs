@@ -150,8 +150,9 @@ impl<Part> Law<Part> {
     ///
     /// If it is broken: with the report, after a picture was written beside the program's other test output.
     #[track_caller]
-    pub fn assert(&self, part: &Part) {
-        if let Err(mut broken) = self.check(part, &Trial::default()) {
+    #[expect(clippy::needless_pass_by_value, reason = "only as a value does a function or a closure become a part")]
+    pub fn assert(&self, part: Part) {
+        if let Err(mut broken) = self.check(&part, &Trial::default()) {
             broken.picture = broken.counterexample.figure.as_ref().and_then(|figure| picture::keep(self.name, figure));
             panic!("{broken}");
         }
@@ -208,7 +209,7 @@ impl Display for Broken {
 ///             })
 ///         }
 ///
-///         geometry::kit! { $
+///         geometry::kit! { $crate
 ///             /// Names the laws of a square root as tests.
 ///             root_conformance, Root, root;
 ///             a_square_has_its_side: "a guess was not made better often enough";
@@ -224,13 +225,11 @@ impl Display for Broken {
 /// }
 /// ```
 ///
-/// Kits are modules of their crate's module `conformance`, which the macro's third word names. (The lone `$` lets one macro write
-/// another.) A test file of another crate then says `root_conformance!(my_root);`.
-// The inner macro's `crate` is the one that the kit stands in, by its `$`.
-#[allow(clippy::crate_in_macro_def)]
+/// Kits are modules of their crate's module `conformance`, which the macro's third word names. (The `$crate` lets one macro write
+/// another that finds the crate of the kit.) A test file of another crate then says `root_conformance!(my_root);`.
 #[macro_export]
 macro_rules! kit {
-    ($d:tt
+    ($d:tt $kit:tt
         $(#[$doc:meta])*
         $tests:ident, $part:ty, $module:ident;
         $($law:ident: $usually:literal;)+
@@ -246,9 +245,9 @@ macro_rules! kit {
                 $(
                     #[test]
                     fn $law() {
-                        let laws = $d crate::conformance::$module::LAWS;
+                        let laws = $d $kit::conformance::$module::LAWS;
                         let law = laws.iter().find(|law| law.name == stringify!($law)).expect("a law of the kit");
-                        law.assert(&($d part as _));
+                        law.assert($d part);
                     }
                 )+
             };
