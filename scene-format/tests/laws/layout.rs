@@ -86,3 +86,11 @@ fn a_statement_that_is_glued_to_a_brace_begins_a_line() {
     assert_laid_out("image { aa 0 1 }x bucket 8 row");
     assert_eq!(format("image { aa 0 1 }x").as_deref(), Ok("image {\n  aa 0 1\n}\n\nx\n"));
 }
+
+#[test]
+fn an_unknown_word_behind_a_comment_that_ends_its_line_is_not_indented() {
+    // Found by fuzzing: it was taken for the rest of a line that was cut, and only the second time for one of its own.
+    assert_laid_out("gi {\n  type ig\n  steps 1 % light\rs\n}");
+    assert_laid_out("xyzzy {\n  a /* b */ c\n}");
+    assert_eq!(format("xyzzy {\n  a /* b */ c\n}").as_deref(), Ok("xyzzy {\n  a  /* b */\n  c\n}\n"));
+}
