@@ -1,6 +1,6 @@
 use super::keywords::nearest;
 use super::layout::Mark;
-use super::report::{Read, quoted};
+use super::report::{Read, comment_help, quoted};
 use super::{Parser, Reported};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -187,8 +187,10 @@ impl<'s> Parser<'s> {
                 .label("not known here")
                 .help(format!("did you mean `{meant}`?"))
         } else {
-            Diagnostic::warning(Code::UnknownWord, token.span, format!("unknown word {} in this {what}", quoted(token)))
-                .label("skipped, up to the next word that is known")
+            let message = format!("unknown word {} in this {what}", quoted(token));
+            let warning = Diagnostic::warning(Code::UnknownWord, token.span, message)
+                .label("skipped, up to the next word that is known");
+            Diagnostic { help: comment_help(token.text).map(str::to_owned), ..warning }
         };
         self.context.report(diagnostic.note(block.opened, "the block begins here"));
         self.skip_field(block);

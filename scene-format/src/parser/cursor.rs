@@ -14,6 +14,7 @@ pub(super) struct Cursor<'s> {
     previous_closes: bool,
     depth: u32,
     no_more_ends: bool,
+    unclosed_quotes: Vec<Span>,
 }
 
 impl<'s> Cursor<'s> {
@@ -27,6 +28,7 @@ impl<'s> Cursor<'s> {
             previous_closes: false,
             depth: 0,
             no_more_ends: false,
+            unclosed_quotes: Vec::new(),
         }
     }
 
@@ -37,7 +39,12 @@ impl<'s> Cursor<'s> {
 
     /// Takes the next word.
     pub(super) fn next(&mut self) -> Option<Token<'s>> {
+        /// Copies of a cursor take these with them: nobody needs more to see what is wrong.
+        const MOST_QUOTES: usize = 8;
         let token = self.ahead?;
+        if token.is_quote_without_end() && self.unclosed_quotes.len() < MOST_QUOTES {
+            self.unclosed_quotes.push(token.span);
+        }
         self.previous = token.span;
         self.previous_closes = token.is_close();
         self.depth = match token.text {
@@ -89,6 +96,11 @@ impl<'s> Cursor<'s> {
     /// An upper bound for the words that may still come.
     pub(super) fn remaining(&self) -> usize {
         self.lexer.remaining() + self.ahead.map_or(0, |token| token.text.len())
+    }
+
+    /// The words taken so far, or the first of them, whose quote their line ended.
+    pub(super) fn unclosed_quotes(&self) -> &[Span] {
+        &self.unclosed_quotes
     }
 
     pub(super) fn unclosed_comment(&self) -> Option<Span> {

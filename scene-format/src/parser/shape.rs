@@ -85,7 +85,7 @@ impl<'s> Parser<'s> {
     pub(super) fn shape_field(&mut self, shape: &mut ShapeFields<'s>, field: Token<'s>) -> Read<Field> {
         match (shape, field.text) {
             (ShapeFields::Sphere { center, .. }, "c") => *center = Some(self.floats(field)?),
-            (ShapeFields::Sphere { radius, .. }, "r") => *radius = Some(self.positive(field)?),
+            (ShapeFields::Sphere { radius, .. }, "r") => *radius = Some(self.float(field)?),
             (ShapeFields::Plane { points, .. }, "p") => {
                 points.push(self.floats(field)?);
                 // All points in one go: `p` is the one field that may stand in a block more than once.

@@ -89,12 +89,12 @@ fn not_a_whole_number() {
 
 #[test]
 fn an_impossible_picture_size() {
-    assert_snapshot!(say("image { resolution 0 99999 }"), @"scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]");
+    assert_snapshot!(say("image { resolution 5 99999 }"), @"scene.sc:1:22: error[SC701]: `resolution` must be from 1 to 16384 [found `99999`]");
 }
 
 #[test]
 fn an_impossible_radius() {
-    assert_snapshot!(say("object { shader a type sphere c 0 0 0 r -1 }"), @"scene.sc:1:41: error[SC203]: `r` must be greater than 0 [found `-1`]");
+    assert_snapshot!(say("object { shader a type torus r -1 2 }"), @"scene.sc:1:32: error[SC203]: `r` must be greater than 0 [found `-1`]");
 }
 
 #[test]
@@ -246,6 +246,31 @@ fn a_comment_without_end() {
 }
 
 #[test]
+fn a_quote_without_end() {
+    assert_snapshot!(say("object { shader \"white type box\n}\nshader { name \"a\n type mirror refl 1 1 1 }"), @r#"
+        scene.sc:1:1: error[SC112]: the object has no `type` [expected `type <type>` in this block] (types that are rendered: sphere, plane, box, generic-mesh, mesh, flat-mesh, file-mesh, bezier-mesh, cylinder, torus, sphereflake, teapot, particles)
+        scene.sc:1:17: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
+        scene.sc:3:15: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
+    "#);
+}
+
+#[test]
+fn a_comment_as_in_c() {
+    assert_snapshot!(say("// the sky\nbackground { color 1 1 1 // white\n}"), @"
+        scene.sc:1:1: warning[SC101]: unknown statement `//` [skipped, with all that belongs to it] (a comment begins with `%` or `#`)
+        scene.sc:2:26: warning[SC107]: unknown word `//` in this background [skipped, up to the next word that is known] {scene.sc:2:1: the block begins here} (a comment begins with `%` or `#`)
+    ");
+}
+
+#[test]
+fn an_impossible_bucket_and_picture() {
+    assert_snapshot!(say("bucket 0 row image { resolution -4 480 }"), @"
+        scene.sc:1:8: warning[SC203]: `bucket` must be 1 or greater [found `0`, taken as 1]
+        scene.sc:1:33: warning[SC203]: `resolution` must be 1 or greater [found `-4`, taken as 1]
+    ");
+}
+
+#[test]
 fn a_flag_that_is_neither() {
     assert_snapshot!(say("image { jitter yes }"), @"scene.sc:1:16: warning[SC204]: `jitter` needs `true` or `false` [read as `false`]");
 }
@@ -257,9 +282,9 @@ fn an_empty_file() {
 
 #[test]
 fn several_errors_in_one_run() {
-    assert_snapshot!(say("image { resolution 0 1 aa x }\nshader { type mirror }\nobject { shader a type sphere c 1 2 r 1 }"), @"
-        scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]
-        scene.sc:1:27: error[SC201]: `aa` needs a whole number [expected a whole number, found `x`]
+    assert_snapshot!(say("image { resolution 0.5 1 aa x }\nshader { type mirror }\nobject { shader a type sphere c 1 2 r 1 }"), @"
+        scene.sc:1:20: error[SC201]: `resolution` needs a whole number [expected a whole number, found `0.5`] (write it without a point or exponent)
+        scene.sc:1:29: error[SC201]: `aa` needs a whole number [expected a whole number, found `x`]
         scene.sc:2:22: error[SC111]: the shader has no `name` [expected `name <name>` before this] {scene.sc:2:1: the block begins here}
         scene.sc:2:22: error[SC111]: the shader has no `refl` [expected `refl r g b` before this] {scene.sc:2:1: the block begins here}
         scene.sc:3:37: error[SC201]: `c` needs a number [expected a number, found `r`]
