@@ -25,6 +25,7 @@ pub(super) const RENDERED: &[&str] = &[
     "torus",
     "sphereflake",
     "teapot",
+    "gumbo",
     "particles",
 ];
 
@@ -71,7 +72,7 @@ impl<'s> Parser<'s> {
     /// Warns of a type that is not rendered.
     pub(super) fn check_object_type(&mut self, block: &Block<'s>, kind: Token<'s>) {
         const EFFECT: &str = "left out of the picture";
-        let unrendered = || grammar::OBJECTS.iter().map(|(name, _)| *name).chain(["gumbo"]);
+        let unrendered = || grammar::OBJECTS.iter().map(|(name, _)| *name);
         if RENDERED.contains(&kind.text) {
             return;
         }
