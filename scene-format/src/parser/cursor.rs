@@ -56,11 +56,9 @@ impl<'s> Cursor<'s> {
         Some(token)
     }
 
-    /// Takes the next word unless it is a brace.
-    pub(super) fn skip_name(&mut self) {
-        if self.ahead.is_some_and(|token| !token.is_open() && !token.is_close()) {
-            self.next();
-        }
+    /// Takes the next word unless it is a brace; whether it did.
+    pub(super) fn skip_name(&mut self) -> bool {
+        self.ahead.is_some_and(|token| !token.is_open() && !token.is_close()) && self.next().is_some()
     }
 
     /// How many braces are open before the next word.

@@ -248,7 +248,7 @@ fn a_comment_without_end() {
 #[test]
 fn a_quote_without_end() {
     assert_snapshot!(say("object { shader \"white type box\n}\nshader { name \"a\n type mirror refl 1 1 1 }"), @r#"
-        scene.sc:1:1: error[SC112]: the object has no `type` [expected `type <type>` in this block] (types that are rendered: sphere, plane, box, generic-mesh, mesh, flat-mesh, file-mesh, bezier-mesh, cylinder, torus, sphereflake, teapot, particles)
+        scene.sc:1:1: error[SC112]: the object has no `type` [expected `type <type>` in this block] (types that are rendered: sphere, plane, box, generic-mesh, mesh, flat-mesh, file-mesh, bezier-mesh, cylinder, torus, sphereflake, teapot, gumbo, particles)
         scene.sc:1:17: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
         scene.sc:3:15: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
     "#);

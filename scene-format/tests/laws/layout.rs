@@ -49,6 +49,42 @@ proptest! {
         assert_laid_out(&text);
         assert_laid_out(&peppered(&text, &pepper));
     }
+
+    #[test]
+    fn printing_and_laying_out_have_one_style(scene in scene()) {
+        let text = print(&scene);
+        let again = format(&text);
+        prop_assert_eq!(again.as_ref(), Ok(&text));
+    }
+}
+
+#[test]
+fn each_place_of_what_moves_has_a_line() {
+    let text = "camera { type fisheye steps 2 times 0 1 { eye 1 1 1 target 0 0 0 up 0 0 1 } transform { } }
+object { shader a transform steps 2 times 0 1 { scaleu 1 } row 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 type box }";
+    assert_laid_out(text);
+    assert_snapshot!(format(text).unwrap(), @"
+        camera {
+          type fisheye
+          steps 2 times 0 1
+          {
+            eye 1 1 1
+            target 0 0 0
+            up 0 0 1
+          }
+          transform { }
+        }
+        
+        object {
+          shader a
+          transform steps 2 times 0 1
+          {
+            scaleu 1
+          }
+          row 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1
+          type box
+        }
+    ");
 }
 
 #[test]
