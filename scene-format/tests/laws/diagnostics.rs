@@ -154,6 +154,11 @@ fn a_corner_that_is_no_point_in_the_old_form() {
 }
 
 #[test]
+fn a_corner_below_zero() {
+    assert_snapshot!(say("object { shader a type generic-mesh points 1 0 0 0 triangles 1 0 0 -2 }"), @"scene.sc:1:68: error[SC203]: `-2` is out of range among the triangles [expected a whole number from 0 on, found `-2`] {scene.sc:1:62: announced as 1 here}");
+}
+
+#[test]
 fn a_list_that_ends_early() {
     assert_snapshot!(say("object {\n  shader a\n  type generic-mesh\n  points 3\n    0 0 0\n    1 0\n  triangles 100000000\n}"), @"
         scene.sc:7:3: error[SC301]: the points end after 1 of 3 [expected a number, found `triangles`] {scene.sc:4:10: announced as 3 here} (correct the count, or write what is missing)
@@ -233,6 +238,11 @@ fn statements_that_are_ignored() {
         scene.sc:1:76: warning[SC601]: `filter` is ignored [outside the `image` block it does nothing]
         scene.sc:1:87: warning[SC601]: `override` is ignored [objects keep their own shaders]
     ");
+}
+
+#[test]
+fn no_global_illumination_is_what_there_is() {
+    assert_eq!(say("gi { type none } gi { type null }"), "");
 }
 
 #[test]
