@@ -1,5 +1,5 @@
 use proptest::prelude::*;
-use scene_format::scene_file::{Color, Statement};
+use scene_format::scene_file::{Color, Shape, Statement};
 use scene_format::{SceneFile, Spanned, print};
 
 use crate::strategies::{float, scene};
@@ -51,4 +51,23 @@ fn unknown_statements_that_a_stray_brace_parts_survive_printing() {
     // Found by fuzzing: printed without the brace, the second was read as more of the first.
     assert_round_trip(&read("skat 1 } shape { type mesh }").scene);
     assert_round_trip(&read("skat { 1 } shape 2 { }").scene);
+}
+
+#[test]
+fn a_name_that_is_the_word_type_survives_printing() {
+    // Found by fuzzing: the word behind it was taken for the object's type.
+    for object in [
+        "object { shader cool accel type type sphere c 1 2 3 r 4 }",
+        "object { shaders 2 type sphere type box }",
+        "object { shader a modifiers 2 type type type file-mesh filename type }",
+    ] {
+        let parsed = read(object);
+        assert_eq!(messages(&parsed).matches("error").count(), 0, "{object}");
+        assert!(
+            matches!(&parsed.scene.statements[0].value, Statement::Object(it) if !matches!(*it.shape, Shape::Unknown(_)))
+        );
+        assert_round_trip(&parsed.scene);
+    }
+    // Here the sphere has lost its type, and nothing else can be meant.
+    assert!(messages(&read("object { shader cool accel type sphere c 1 2 3 r 4 }")).contains("has no `type`"));
 }
