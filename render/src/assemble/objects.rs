@@ -1,9 +1,9 @@
 use std::borrow::Cow;
 
-use geometry::{Corners, Ellipsoid, Mesh, Plane, Sphere, Transform, unit_cube};
+use geometry::{Corners, Ellipsoid, Kernels, Mesh, Plane, Sphere, Transform, unit_cube};
 use glam::{DVec3, Vec2, Vec3};
 use scene_format::{
-    Code, Diagnostic, Span, Spanned,
+    Code, Diagnostic, Severity, Span, Spanned,
     scene_file::{
         self, Instance, MeshForm, Object, ParticleSource, PerVertex, PlaneOrientation, Shape, SphereForm, Triple,
     },
@@ -25,9 +25,8 @@ impl<'a> Parts<'a> {
         if object.noinstance.is_some() {
             return;
         }
-        match invertible(object.transform.as_ref()) {
-            Ok(to_world) => self.add_shape(&object.shape, &object.shaders, &to_world),
-            Err(diagnostic) => self.diagnostics.push(diagnostic),
+        if let Some(to_world) = self.place(object.transform.as_ref()) {
+            self.add_shape(&object.shape, &object.shaders, &to_world);
         }
     }
 
@@ -47,10 +46,18 @@ impl<'a> Parts<'a> {
         // The centre and radius of a sphere belong to its own object: an instance starts from the unit sphere.
         let unit_sphere = Spanned::new(Shape::Sphere(SphereForm::Unit), shape.span);
         let shape = if matches!(shape.value, Shape::Sphere(_)) { &unit_sphere } else { shape };
-        match invertible(instance.transform.as_ref()) {
-            Ok(to_world) => self.add_shape(shape, &instance.shaders, &to_world),
-            Err(diagnostic) => self.diagnostics.push(diagnostic),
+        if let Some(to_world) = self.place(instance.transform.as_ref()) {
+            self.add_shape(shape, &instance.shaders, &to_world);
         }
+    }
+
+    /// Where a transform puts an object. What it squeezes flat is left out, as in Sunflow, with a warning.
+    fn place(&mut self, written: Option<&Spanned<scene_file::Transform>>) -> Option<Transform> {
+        let placed = invertible(written).map_err(|error| {
+            let warning = Diagnostic { severity: Severity::Warning, ..error };
+            self.diagnostics.push(warning.label("it has no inverse: the object is left out"));
+        });
+        placed.ok()
     }
 
     fn add_shape(&mut self, shape: &Spanned<Shape>, shaders: &[Spanned<String>], to_world: &Transform) {
@@ -60,9 +67,11 @@ impl<'a> Parts<'a> {
             Shape::Plane { point, orientation } => {
                 self.add_plane(point.value, *orientation, shaders, to_world, shape.span)
             }
-            Shape::Box => self.add_mesh(placed(unit_cube(), to_world), None, shaders, shape.span),
+            Shape::Box => {
+                self.add_mesh(placed(unit_cube(), to_world, &self.modules.kernels), None, shaders, shape.span)
+            }
             Shape::Mesh(mesh) => self.add_mesh(
-                placed(from_file(mesh, self.modules.dialect), to_world),
+                placed(from_file(mesh, self.modules.dialect), to_world, &self.modules.kernels),
                 mesh.face_shaders.as_ref().map(|shaders| shaders.as_slice()),
                 shaders,
                 shape.span,
@@ -75,6 +84,10 @@ impl<'a> Parts<'a> {
             Shape::Teapot(subdivision) => {
                 let count = curved::triangles_of(curved::TEAPOT_PATCHES, subdivision);
                 self.add_made(count, || curved::teapot(subdivision), shaders, to_world, shape.span)
+            }
+            Shape::Gumbo(subdivision) => {
+                let count = curved::triangles_of(curved::GUMBO_PATCHES, subdivision);
+                self.add_made(count, || curved::gumbo(subdivision), shaders, to_world, shape.span)
             }
             Shape::Cylinder => self.add_made(Some(0), curved::cylinder, shaders, to_world, shape.span),
             Shape::Torus { radii } => {
@@ -91,12 +104,12 @@ impl<'a> Parts<'a> {
                 let count = count.map_or(usize::MAX, |count| count.value as usize);
                 self.add_particles(centers, count, radius.value.into(), shaders, to_world)
             }
-            Shape::Gumbo(_) | Shape::Unrendered(_) | Shape::Unknown(_) => return,
+            Shape::Unrendered(_) | Shape::Unknown(_) => return,
         };
         if added.is_ok() && (before, planes_before) == (self.bounded.len(), self.planes.len()) {
             self.diagnostics.push(
                 Diagnostic::warning(Code::EmptyMesh, shape.span, "there is nothing in this object")
-                    .label("it has no triangle and no sphere"),
+                    .label("it has no triangle, and no sphere with a radius"),
             );
         }
         match added {
@@ -132,6 +145,7 @@ impl<'a> Parts<'a> {
     ) -> Result<(), NotPlaced> {
         let place = match form {
             SphereForm::Unit => *to_world,
+            SphereForm::CenterRadius { radius, .. } if radius.value == 0.0 => return Ok(()),
             SphereForm::CenterRadius { center, radius } => Transform::scale(DVec3::splat(radius.value.into()))
                 .then(&Transform::translation(dvec3(center.value)))
                 .then(to_world),
@@ -204,7 +218,12 @@ impl<'a> Parts<'a> {
         if smooth.is_some_and(|smooth| smooth.value) && *mesh.normals == PerVertex::None {
             smooth_normals(&mut mesh);
         }
-        self.add_mesh(placed(from_file(&mesh, self.modules.dialect), to_world), None, shaders, file.span)
+        self.add_mesh(
+            placed(from_file(&mesh, self.modules.dialect), to_world, &self.modules.kernels),
+            None,
+            shaders,
+            file.span,
+        )
     }
 
     /// Adds a mesh that is made here, of so many triangles.
@@ -217,7 +236,7 @@ impl<'a> Parts<'a> {
         span: Span,
     ) -> Result<(), NotPlaced> {
         self.check_count(count, span)?;
-        self.add_mesh(placed(make(), to_world), None, shaders, span)
+        self.add_mesh(placed(make(), to_world, &self.modules.kernels), None, shaders, span)
     }
 
     /// Whether an object may have so many elements; `None` is more than can be counted.
@@ -398,7 +417,7 @@ fn from_file(mesh: &scene_file::Mesh, dialect: Dialect) -> Mesh {
 }
 
 /// A mesh under a transform. Where that mirrors, each triangle is turned round, so that its front stays in front.
-fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
+fn placed(mut mesh: Mesh, to_world: &Transform, kernels: &Kernels) -> Mesh {
     if *to_world == Transform::IDENTITY {
         return mesh;
     }
@@ -406,7 +425,7 @@ fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
         *position = to_world.point_f32(*position);
     }
     // Their lengths among each other stay as they are: a longer one counts for more where they are interpolated.
-    let matrix = to_world.normals();
+    let matrix = kernels.matrix_of_normals(to_world);
     let longest = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
     let matrix = matrix * longest.into_iter().fold(0.0, f64::max).recip();
     let turned = |normal: Vec3| (matrix * normal.as_dvec3()).as_vec3();

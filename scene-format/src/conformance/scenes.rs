@@ -244,7 +244,7 @@ fn shader_kind() -> impl Strategy<Value = ShaderKind> {
 fn object() -> impl Strategy<Value = Object> {
     let shape = prop_oneof![
         Just(Shape::Sphere(SphereForm::Unit)),
-        (floats(), positive()).prop_map(|(center, radius)| Shape::Sphere(SphereForm::CenterRadius { center, radius })),
+        (floats(), number()).prop_map(|(center, radius)| Shape::Sphere(SphereForm::CenterRadius { center, radius })),
         (floats(), plane_orientation()).prop_map(|(point, orientation)| Shape::Plane { point, orientation }),
         Just(Shape::Box),
         mesh().prop_map(Shape::Mesh),
