@@ -6,7 +6,7 @@ use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
-    boxes::{BoxRays, near_sides},
+    boxes::{BoxRays, near_sides, reach},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node},
     simd::{Isa, Lanes, Room, Stack, bits, prefetch},
@@ -37,8 +37,8 @@ struct Bound<I: Isa> {
 
 impl<I: Isa> Bound<I> {
     #[inline(always)]
-    fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
-        let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, magnitude);
+    fn new(isa: I, ray: &Ray, min: f32, reach: f32) -> Self {
+        let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, reach);
         let boxes = boxes.map(
             #[inline(always)]
             |&number| I::F32x8::splat(isa, number),
@@ -99,10 +99,10 @@ pub(super) struct Aimed<'a, I: Isa> {
 
 impl<'a, I: Isa> Aimed<'a, I> {
     #[inline(always)]
-    fn new(isa: I, asked: Asked<'a>, magnitude: f32) -> Self {
+    fn new(isa: I, asked: Asked<'a>, reach: f32) -> Self {
         let (ray, probe) = (asked.ray, TriangleProbe::new(asked.ray));
         let (origin, direction) = (probe.turned(ray.origin).to_array(), probe.turned(ray.direction).to_array());
-        let triangles = TriangleRays::new(isa, origin, direction, magnitude).map(
+        let triangles = TriangleRays::new(isa, origin, direction, reach).map(
             #[inline(always)]
             |&number| I::F32x8::splat(isa, number),
         );
@@ -179,8 +179,8 @@ pub(super) fn search<I: Isa, D: Decide>(
     mut visit: impl FnMut(Link),
 ) -> Option<Hit> {
     let asked = Asked { blocks: &tree.blocks, ray, within };
-    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
-    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let reach = reach(isa, ray.origin.to_array(), tree.magnitude);
+    let (bound, aimed) = (Bound::new(isa, ray, within.min, reach), Aimed::new(isa, asked, reach));
     let (mut nearest, mut known) = (Nearest::none(*within), NO_HIT);
     if !tree.beside.is_empty() {
         nearest = nearest_with::<D>(primitives, &tree.beside, asked, &mut known, nearest);
@@ -260,8 +260,8 @@ pub(super) fn any<I: Isa, D: Decide>(
         return true;
     }
     let asked = Asked { blocks: &tree.blocks, ray, within };
-    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
-    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let reach = reach(isa, ray.origin.to_array(), tree.magnitude);
+    let (bound, aimed) = (Bound::new(isa, ray, within.min, reach), Aimed::new(isa, asked, reach));
     let mut room = Room::<Link>::new();
     let mut stack = Stack::within(&mut room);
     let mut link = tree.root;
