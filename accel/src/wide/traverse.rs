@@ -60,17 +60,29 @@ impl<I: Isa> Bound<I> {
     /// The nearest of the links of a node that the ray meets before the limit, if any; the others wait on the stack, the farthest lowest.
     #[inline(always)]
     fn visit(&self, node: &Node, limit: f32, stack: &mut Stack<Pending>) -> Option<Link> {
-        let (enters, mut met) = self.enter(node, limit);
+        let (enters, met) = self.enter(node, limit);
         if met == 0 {
             return None;
         }
-        let first = met.trailing_zeros() as usize;
-        met &= met - 1;
-        if met == 0 {
-            return Some(node.links[first & 7]);
-        }
         let mut distances = [0.0; 8];
         enters.store(&mut distances);
+        // Of one or of two: which it is cannot be foreseen, so both go the same way.
+        let (first, last) = (met.trailing_zeros() as usize & 7, met.ilog2() as usize & 7);
+        if met == 1 << first | 1 << last {
+            let (one, other) = (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
+            let is_swapped = distances[last].to_bits() < distances[first].to_bits();
+            stack.push(if is_swapped { one } else { other });
+            let near = if is_swapped { node.links[last] } else { node.links[first] };
+            stack.shorten(usize::from(first == last));
+            return Some(near);
+        }
+        Some(self.visit_many(node, met, &distances, stack))
+    }
+
+    #[inline(always)]
+    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; 8], stack: &mut Stack<Pending>) -> Link {
+        let first = met.trailing_zeros() as usize;
+        met &= met - 1;
         let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
         let mut best = entry(first);
         let start = stack.len();
@@ -84,7 +96,7 @@ impl<I: Isa> Bound<I> {
                 sink(stack.since(start), |&entry| entry);
             }
         }
-        Some(Link::from_bits(best as u32))
+        Link::from_bits(best as u32)
     }
 }
 
