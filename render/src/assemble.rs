@@ -185,7 +185,7 @@ impl<'a> Parts<'a> {
 
     /// Takes a camera; of several the last one, as Sunflow does.
     fn set_camera(&mut self, camera: &scene_file::Camera, span: Span) {
-        match camera::camera(camera) {
+        match camera::camera(camera, self.modules) {
             Ok(None) => {}
             Ok(Some(camera)) => {
                 if self.camera.replace(camera).is_some() {
@@ -251,6 +251,7 @@ impl<'a> Parts<'a> {
             ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
+            renderer: self.modules.render,
         };
         Ok(Assembled { scene, settings, warnings: self.diagnostics, shading })
     }

@@ -4,8 +4,8 @@ use insta::assert_snapshot;
 use proptest::prelude::*;
 use scene_format::{format, print};
 
-use crate::strategies::scene;
 use crate::{messages, read};
+use scene_format::conformance::scene;
 
 /// The words and comments of a text, white space aside.
 fn pieces(text: &str) -> String {
