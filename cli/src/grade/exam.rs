@@ -1,0 +1,41 @@
+use geometry::conformance::{Broken, Law, Trial};
+use render::Modules;
+use shading::conformance::mirror;
+
+use crate::parts::Part;
+
+type TryOn = dyn Fn(&Modules, &Trial) -> Result<(), Broken> + Send;
+
+/// A law of a part's kit, to be tried on whatever modules a program has.
+pub(crate) struct Exam {
+    /// The law's name.
+    pub(crate) law: &'static str,
+    /// What is usually wrong where it is broken.
+    pub(crate) usually: &'static str,
+    try_on: Box<TryOn>,
+}
+
+impl Exam {
+    /// Whether the law is kept.
+    pub(crate) fn try_on(&self, modules: &Modules, trial: &Trial) -> Result<(), Broken> {
+        (self.try_on)(modules, trial)
+    }
+}
+
+/// The kit of a part, from its easiest law to its hardest.
+pub(crate) fn exams(part: Part) -> Vec<Exam> {
+    match part {
+        Part::Mirror => kit(mirror::LAWS, |modules| modules.shaders.mirror),
+        _ => Vec::new(),
+    }
+}
+
+/// The laws of a kit; `part` takes from the modules what they are laws of.
+fn kit<Kind: 'static>(laws: &'static [Law<Kind>], part: fn(&Modules) -> Kind) -> Vec<Exam> {
+    let exam = |law: &'static Law<Kind>| Exam {
+        law: law.name,
+        usually: law.usually,
+        try_on: Box::new(move |modules, trial| law.check(&part(modules), trial)),
+    };
+    laws.iter().map(exam).collect()
+}
