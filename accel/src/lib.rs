@@ -21,6 +21,8 @@
 #![doc = include_str!("../docs/papers.md")]
 
 mod accelerator;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod none;
 mod octree;
 mod ordinary;

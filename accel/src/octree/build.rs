@@ -64,7 +64,10 @@ impl Grower<'_> {
         let eighths = self.divide(cell, &inside);
         let total: usize = eighths.iter().map(Vec::len).sum();
         let seems_to_pay = COST_OF_A_BRANCH + 0.25 * (total as f32) < cost_as_leaf;
-        let patience = if seems_to_pay { PATIENCE } else { patience - 1 };
+        // What stands whole in two eighths is not told apart by cutting off the others: equal things would be divided along all their
+        // edges, down to the last level.
+        let separates = eighths.iter().filter(|eighth| eighth.len() == inside.len()).count() < 2;
+        let patience = if seems_to_pay && separates { PATIENCE } else { patience - 1 };
         if patience == 0 {
             return Grown { tree: Tree::Leaf(inside), cost: cost_as_leaf };
         }
@@ -146,6 +149,19 @@ impl Flat {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geometry::Sphere;
+
+    /// Found by the kit: thirty spheres in one place were divided along the twelve edges of their box down to the last level.
+    #[test]
+    fn equal_things_are_not_divided_along_their_edges() {
+        let mut primitives = Primitives::default();
+        for _ in 0..30 {
+            primitives.add_sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
+        }
+        primitives.add_sphere(Sphere { center: Vec3::new(7.0, 5.0, 3.0), radius: 0.5 });
+        let nodes = build(primitives).nodes.len();
+        assert!(nodes < 1000, "{nodes}");
+    }
 
     #[test]
     fn a_box_on_a_dividing_plane_touches_both_sides() {

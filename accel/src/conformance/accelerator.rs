@@ -1,0 +1,241 @@
+//! The laws of an accelerator.
+
+use geometry::conformance::{Counterexample, Trial, Verdict};
+use geometry::{BoxProbe, Hit, Interval, Kernels, Primitive, Primitives, Ray};
+
+use super::{Asked, scenes};
+use crate::Accelerator;
+
+/// The part: a plain function that builds an accelerator of primitives.
+pub type Part = fn(Primitives) -> Box<dyn Accelerator>;
+
+/// A single thing, and a ray at its middle.
+pub fn one_primitive_is_found(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::alone(), |asked| closest(part, asked, Some))
+}
+
+/// No things, or all of them behind.
+pub fn nothing_is_found_where_there_is_nothing(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::nothing_ahead(), |asked| closest(part, asked, Some))
+}
+
+/// Of many small spheres each is found by a ray that can meet no other one.
+pub fn every_primitive_is_found(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::each_of_many(), |asked| closest(part, asked, |hit| Some(Hit { primitive: 0, ..hit })))
+}
+
+/// A hit names the primitive by its number among all, not among those of its leaf.
+pub fn a_hit_has_the_number_of_its_primitive(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::each_of_many(), |asked| closest(part, asked, Some))
+}
+
+/// Spheres in a row along a ray: the nearest is the answer, in whatever order they stand.
+pub fn the_nearest_of_several_is_found(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::in_a_row(), |asked| closest(part, asked, Some))
+}
+
+/// What stands in several cells may be met beyond the one in which it was asked; a nearer thing may stand in between.
+pub fn a_hit_beyond_its_cell_does_not_end_the_search(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::large_among_small(), |asked| closest(part, asked, Some))
+}
+
+/// Boxes without thickness are passed in one point.
+pub fn flat_boxes_are_not_lost(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::flat(), |asked| closest(part, asked, Some))
+}
+
+/// A component of 0 makes an infinite reciprocal, and in the plane of a face `0 * infinity`, a NaN.
+pub fn rays_along_the_axes_lose_nothing(part: &Part, trial: &Trial) -> Verdict {
+    trial.times(4).search(scenes::along_axes(), |asked| closest(part, asked, Some))
+}
+
+/// The way through the cell of the origin begins behind the ray.
+pub fn rays_that_start_among_the_primitives_lose_nothing(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::from_inside(), |asked| closest(part, asked, Some))
+}
+
+/// Hits count strictly inside the interval that was asked for.
+pub fn hits_outside_the_interval_do_not_count(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::with_intervals(), |asked| closest(part, asked, Some))
+}
+
+/// Of equal hits the one with the lowest number is the answer, so that a picture does not depend on the tree.
+pub fn the_lowest_number_wins_a_tie(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::twins(), |asked| closest(part, asked, Some))
+}
+
+/// Shadow rays ask only whether something is there.
+pub fn any_says_whether_something_is_found(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::with_intervals(), |asked| any(part, asked))
+}
+
+/// Many rays at once, as the renderer asks them.
+pub fn many_rays_find_what_each_finds_alone(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::bundles(), |asked| many(part, asked))
+}
+
+/// No plane divides what is equal: the tree must end all the same.
+pub fn equal_primitives_do_not_divide_for_ever(part: &Part, trial: &Trial) -> Verdict {
+    let few = Trial { cases: trial.cases.div_ceil(8), ..*trial };
+    few.search(scenes::all_the_same(), |asked| closest(part, asked, Some))
+}
+
+/// NaN anywhere in a ray is no hit; infinities and zeros make no panic.
+pub fn a_ray_without_numbers_finds_nothing(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(scenes::wild(), |asked| closest(part, asked, Some).and_then(|()| any(part, asked)))
+}
+
+/// What decides a hit is the primitives' own test, which may be somebody's kernel.
+pub fn the_kernels_of_the_primitives_decide(part: &Part, trial: &Trial) -> Verdict {
+    // A box test as good as the reference's; triangles that are met from the front alone.
+    let kernels = Kernels {
+        aabb: Some(|bounds, ray, within| BoxProbe::new(ray, bounds.magnitude()).clip(*bounds, within)),
+        triangle: Some(|triangle, ray, within| {
+            let from_front = triangle.scaled_normal().dot(ray.direction.as_dvec3()) < 0.0;
+            triangle.intersect(ray, within).filter(|_| from_front)
+        }),
+        ..Kernels::default()
+    };
+    trial.search(scenes::everything(), |asked| everything(part, asked, asked.primitives().with_kernels(kernels)))
+}
+
+/// All kinds of things, rays and intervals, bit for bit.
+pub fn every_ray_finds_what_asking_every_primitive_finds(part: &Part, trial: &Trial) -> Verdict {
+    trial.times(4).search(scenes::everything(), |asked| everything(part, asked, asked.primitives()))
+}
+
+/// Bundles as a camera's or a light's, that packets take together; more than two packets, and not a whole number of them.
+pub fn bundles_of_rays_find_what_asking_every_primitive_finds(part: &Part, trial: &Trial) -> Verdict {
+    trial.times(4).search(scenes::bundles(), |asked| everything(part, asked, asked.primitives()))
+}
+
+/// Triangles of any size and shape.
+pub fn slivers_giants_and_dust_are_found(part: &Part, trial: &Trial) -> Verdict {
+    trial.times(4).search(scenes::slivers_giants_and_dust(), |asked| everything(part, asked, asked.primitives()))
+}
+
+/// Every ray is aimed at a corner, an edge or a triangle of a closed mesh around it.
+pub fn no_ray_leaves_a_closed_mesh(part: &Part, trial: &Trial) -> Verdict {
+    let few = Trial { cases: trial.cases.div_ceil(4), ..*trial };
+    few.search(scenes::inside_closed_meshes(), |asked| everything(part, asked, asked.primitives()))
+}
+
+/// Long thin triangles, which may be cut in pieces.
+pub fn crossing_wires_are_found(part: &Part, trial: &Trial) -> Verdict {
+    let few = Trial { cases: trial.cases.div_ceil(4), ..*trial };
+    few.search(scenes::wires(), |asked| everything(part, asked, asked.primitives()))
+}
+
+geometry::kit! { $crate
+    /// Names the laws of an accelerator as tests: `accel::conformance!(my_octree::build);`.
+    conformance, Part, accelerator;
+    one_primitive_is_found: "nothing is asked yet: ask each primitive by Primitives::intersect, and keep the nearest hit";
+    nothing_is_found_where_there_is_nothing: "an empty tree has no root to start from, or what is behind counts";
+    every_primitive_is_found: "a primitive is lost while building: the last of a leaf, one on a dividing plane, a whole child";
+    a_hit_has_the_number_of_its_primitive: "the hit has its place in the leaf, not the number in the whole";
+    the_nearest_of_several_is_found: "the first hit ends the search, or the interval is not cut to the nearest hit so far";
+    a_hit_beyond_its_cell_does_not_end_the_search: "a hit found in a cell ends the search although it lies behind the next cell";
+    flat_boxes_are_not_lost: "the box test wants the ray to be inside for longer than a point: `<` where `<=` is due";
+    rays_along_the_axes_lose_nothing: "0 times infinity is NaN in the box test, and a comparison with it loses the box";
+    rays_that_start_among_the_primitives_lose_nothing: "a box that is entered behind the origin counts as missed";
+    hits_outside_the_interval_do_not_count: "every hit ahead counts: the interval is not passed on";
+    the_lowest_number_wins_a_tie: "hits are compared by t alone, or a box at just the distance of the nearest hit is left out";
+    any_says_whether_something_is_found: "any looks at other primitives or another interval than closest";
+    many_rays_find_what_each_finds_alone: "a ray of a batch inherits the nearest hit of the one before it";
+    equal_primitives_do_not_divide_for_ever: "cells are divided as long as they hold too many primitives, at whatever depth";
+    a_ray_without_numbers_finds_nothing: "a comparison with NaN is false, and what follows takes it for a hit";
+    the_kernels_of_the_primitives_decide: "triangles are tested by a function of its own, not by Primitives::intersect";
+    every_ray_finds_what_asking_every_primitive_finds: "a box test without slack for rounding loses what it touches; see geometry::BoxProbe";
+    bundles_of_rays_find_what_asking_every_primitive_finds: "what all rays of a bundle share is taken from its first";
+    slivers_giants_and_dust_are_found: "the slack of a box test is a fixed number, not a share of the coordinates";
+    no_ray_leaves_a_closed_mesh: "rays at edges pass between boxes that should touch";
+    crossing_wires_are_found: "a triangle cut in pieces is looked for in its own box, not in its pieces'";
+}
+
+/// Every primitive, one after the other: the definition of the right answer.
+fn nearest_of_all(primitives: &Primitives, ray: &Ray, within: Interval) -> Option<Hit> {
+    let hits = (0..primitives.len()).filter_map(|number| primitives.intersect(number, ray, within));
+    hits.reduce(|nearest, hit| if hit.is_before(nearest) { hit } else { nearest })
+}
+
+/// The answer to each ray alone, as far as it is looked at.
+fn closest(part: &Part, asked: &Asked, seen: fn(Hit) -> Option<Hit>) -> Verdict {
+    let primitives = asked.primitives();
+    let built = part(primitives.clone());
+    asked.rays.iter().try_for_each(|(ray, within)| {
+        let expected = nearest_of_all(&primitives, ray, *within);
+        let found = built.closest(ray, *within);
+        if expected.and_then(seen) == found.and_then(seen) {
+            Ok(())
+        } else {
+            Err(wrong(asked, ray, "", expected, found))
+        }
+    })
+}
+
+/// Whether there is any answer to each ray alone.
+fn any(part: &Part, asked: &Asked) -> Verdict {
+    let primitives = asked.primitives();
+    let built = part(primitives.clone());
+    asked.rays.iter().try_for_each(|(ray, within)| {
+        let expected = nearest_of_all(&primitives, ray, *within);
+        let found = built.any(ray, *within);
+        if expected.is_some() == found { Ok(()) } else { Err(wrong_any(asked, ray, "any", expected, found)) }
+    })
+}
+
+/// The answers to all rays at once, ahead of them.
+fn many(part: &Part, asked: &Asked) -> Verdict {
+    let primitives = asked.primitives();
+    let built = part(primitives.clone());
+    let rays: Vec<Ray> = asked.rays.iter().map(|&(ray, _)| ray).collect();
+    let mut hits = vec![None; rays.len()];
+    built.closest_many(&rays, &mut hits);
+    let mut found = vec![false; rays.len()];
+    built.any_many(&rays, Interval::FORWARD, &mut found);
+    rays.iter().zip(hits).zip(found).try_for_each(|((ray, hit), found)| {
+        let expected = nearest_of_all(&primitives, ray, Interval::FORWARD);
+        if hit != expected {
+            return Err(wrong(asked, ray, "closest_many, ", expected, hit));
+        }
+        if found == expected.is_some() { Ok(()) } else { Err(wrong_any(asked, ray, "any_many", expected, found)) }
+    })
+}
+
+/// All ways to ask.
+fn everything(part: &Part, asked: &Asked, primitives: Primitives) -> Verdict {
+    let built = part(primitives.clone());
+    let rays: Vec<Ray> = asked.rays.iter().map(|&(ray, _)| ray).collect();
+    let mut hits = vec![None; rays.len()];
+    built.closest_many(&rays, &mut hits);
+    let mut blocked = vec![false; rays.len()];
+    built.any_many(&rays, Interval::FORWARD, &mut blocked);
+    for ((&(ray, within), together), blocked) in asked.rays.iter().zip(hits).zip(blocked) {
+        let expected = nearest_of_all(&primitives, &ray, within);
+        let alone = built.closest(&ray, within);
+        if alone != expected {
+            return Err(wrong(asked, &ray, "", expected, alone));
+        }
+        if built.any(&ray, within) != expected.is_some() {
+            return Err(wrong_any(asked, &ray, "any", expected, expected.is_none()));
+        }
+        let expected = nearest_of_all(&primitives, &ray, Interval::FORWARD);
+        if together != expected {
+            return Err(wrong(asked, &ray, "closest_many, ", expected, together));
+        }
+        if blocked != expected.is_some() {
+            return Err(wrong_any(asked, &ray, "any_many", expected, blocked));
+        }
+    }
+    Ok(())
+}
+
+fn wrong(asked: &Asked, ray: &Ray, how: &str, expected: Option<Hit>, found: Option<Hit>) -> Box<Counterexample> {
+    let which = format!("{how}{ray:?}: ");
+    Counterexample::new(format!("{which}{expected:?}"), format!("{found:?}")).drawn(asked.drawn(ray, expected, found))
+}
+
+fn wrong_any(asked: &Asked, ray: &Ray, how: &str, hit: Option<Hit>, found: bool) -> Box<Counterexample> {
+    let expected = format!("{how}, {ray:?}: {}, since the nearest hit is {hit:?}", hit.is_some());
+    Counterexample::new(expected, format!("{found}")).drawn(asked.drawn(ray, hit, None))
+}

@@ -1,0 +1,46 @@
+//! Our own accelerators keep the laws of the kit: asking every primitive, the octree, and the wide one in each of its forms.
+
+use accel::{Accelerator, Hits, Instructions, Step, wide_up_to, wide_with};
+use geometry::Primitives;
+
+mod none {
+    accel::conformance!(accel::none);
+}
+
+mod octree {
+    accel::conformance!(accel::octree);
+}
+
+mod wide {
+    accel::conformance!(accel::wide);
+}
+
+mod wide_for_any_processor {
+    use super::*;
+
+    accel::conformance!(|all: Primitives| with(Instructions::Portable, all));
+}
+
+mod wide_with_avx2 {
+    use super::*;
+
+    accel::conformance!(|all: Primitives| with(Instructions::Avx2, all));
+}
+
+mod wide_with_avx512 {
+    use super::*;
+
+    accel::conformance!(|all: Primitives| with(Instructions::Avx512, all));
+}
+
+mod wide_with_one_level_a_node {
+    use super::*;
+
+    accel::conformance!(|all: Primitives| wide_up_to(all, Step::OneLevel));
+}
+
+/// With these instructions if this processor has them, otherwise with those that any has.
+fn with(instructions: Instructions, all: Primitives) -> Box<dyn Accelerator> {
+    let built = wide_with(all.clone(), Hits::Exact, instructions);
+    built.unwrap_or_else(|| accel::wide(all))
+}
