@@ -98,7 +98,7 @@ fn weights_of_what_does_not_exist_are_errors_that_say_where_and_what_was_meant()
         ("[miror]\n", "weights.toml:1: `miror` is not a part"),
         ("[mirror]\na_mirror_casts_a_shadw = 1\n", "weights.toml:2: `a_mirror_casts_a_shadw` is not a law of `mirror`"),
         ("default = -1\n", "weights.toml:1: `default` is -1"),
-        ("mirror = 3\n", "weights.toml:1: `mirror` is a integer, not a table"),
+        ("mirror = 3\n", "weights.toml:1: `mirror` is 3, not a table"),
         ("[speed]\nfull = 3\nnone = 2\n", "`full` must be greater than 0, and less than `none`"),
         ("[speed\n", "`weights.toml` is no TOML"),
     ] {

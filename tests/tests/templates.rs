@@ -15,7 +15,9 @@ macro_rules! stubs {
 }
 
 stubs! {
+    accelerator = "../../cli/templates/accelerator.rs";
     mirror = "../../cli/templates/mirror.rs";
+    sphere = "../../cli/templates/sphere.rs";
 }
 
 /// The easiest law fails on a stub, whatever the seed, and says that nothing is returned yet and what to do.
@@ -30,6 +32,8 @@ fn begins<Part>(laws: &[Law<Part>], stub: &Part) {
 
 #[test]
 fn the_first_law_of_each_kit_tells_a_stub_s_author_what_to_do_first() {
+    begins(accel::conformance::accelerator::LAWS, &(accelerator::build as _));
+    begins(geometry::conformance::sphere::LAWS, &(sphere::intersect as _));
     begins(shading::conformance::mirror::LAWS, &(mirror::shader as _));
 }
 

@@ -1,6 +1,6 @@
+use geometry::Primitive;
 use geometry::conformance::{Broken, Law, Trial};
 use render::Modules;
-use shading::conformance::mirror;
 
 use crate::parts::Part;
 
@@ -25,7 +25,11 @@ impl Exam {
 /// The kit of a part, from its easiest law to its hardest.
 pub(crate) fn exams(part: Part) -> Vec<Exam> {
     match part {
-        Part::Mirror => kit(mirror::LAWS, |modules| modules.shaders.mirror),
+        Part::Sphere => {
+            kit(geometry::conformance::sphere::LAWS, |modules| modules.kernels.sphere.unwrap_or(Primitive::intersect))
+        }
+        Part::Accelerator => kit(accel::conformance::accelerator::LAWS, |modules| modules.accelerator),
+        Part::Mirror => kit(shading::conformance::mirror::LAWS, |modules| modules.shaders.mirror),
         _ => Vec::new(),
     }
 }

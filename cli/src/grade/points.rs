@@ -137,7 +137,7 @@ impl<'t> Reader<'t> {
     fn table<'v>(&self, key: &Key<'t>, value: &'v Spanned<DeValue<'t>>) -> Result<&'v DeTable<'t>, Failure> {
         let table = value.get_ref().as_table();
         table.ok_or_else(|| {
-            self.wrong(key, format!("`{}` is a {}, not a table", key.get_ref(), value.get_ref().type_str()))
+            self.wrong(key, format!("`{}` is {}, not a table", key.get_ref(), &self.text[value.span()]))
                 .help(format!("write [{}], and below it lines of the form name = points", key.get_ref()))
         })
     }
@@ -175,5 +175,30 @@ impl<'t> Reader<'t> {
     fn wrong(&self, key: &Key<'t>, message: impl Display) -> Failure {
         let line = 1 + self.text[..key.span().start].matches('\n').count();
         Failure::new(format!("{}:{line}: {message}", self.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn laws_that_are_named_have_their_points_and_others_the_default() {
+        let text = "default = 2\n[mirror]\na_mirror_casts_a_shadow = 0.5\n[speed]\npoints = 1_0\n";
+        let points = Points::read("w.toml", text).unwrap();
+        assert_eq!(points.of(Part::Mirror, "a_mirror_casts_a_shadow"), 0.5);
+        assert_eq!(points.of(Part::Mirror, "a_mirror_filters_each_channel"), 2.0);
+        // A law of another part with the same name is another law.
+        assert_eq!(points.of(Part::Glass, "a_mirror_casts_a_shadow"), 2.0);
+        assert_eq!((points.speed.points, points.speed.full, points.speed.none), (10.0, 1.0, 10.0));
+    }
+
+    #[test]
+    fn speed_has_all_points_up_to_one_ratio_none_from_another_and_half_at_their_geometric_mean() {
+        let points = SpeedPoints { points: 8.0, full: 2.0, none: 32.0 };
+        let at = |own: f64| points.of(&Speed { own, reference: 0.5, rays: 1.0 });
+        assert_eq!([at(0.25), at(1.0), at(16.0), at(100.0)], [8.0, 8.0, 0.0, 0.0]);
+        // 8 is the root of 2 x 32.
+        assert!((at(4.0) - 4.0).abs() < 1e-12, "{}", at(4.0));
     }
 }

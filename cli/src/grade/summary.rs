@@ -71,7 +71,7 @@ mod tests {
     fn each_law_has_a_row_and_each_that_is_not_kept_a_paragraph() {
         let text = summary(&example(Cases::Shown));
         assert_eq!(text.lines().filter(|line| line.starts_with("| sphere")).count(), 4);
-        assert!(text.contains("| speed  | against the reference's time | 1.50 x   |  2.25 of 3 |  3.00 s |"), "{text}");
+        assert!(text.contains("| speed  | against the reference's time | 1.50 x   | 2.25 of 3 | 3.00 s |"), "{text}");
         assert!(text.contains("sphere: it is behind (too long)\n    no answer within 10 s"), "{text}");
         let last: Vec<&str> = text.lines().rev().take(2).collect();
         assert_eq!(last[0], "the same cases again: --seed 987654 --cases 256");
