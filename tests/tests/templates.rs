@@ -62,7 +62,7 @@ fn a_new_crate_has_the_stub_the_task_and_every_law() {
     let (folder, girasol) = outside();
     let ended = folder.run(&["new", "mirror", "my-mirror", "--girasol", &girasol]);
     assert_eq!(ended.code, Some(0), "{}", ended.stderr);
-    assert!(ended.stderr.contains("my-mirror: a crate with a stub of an own mirror"), "{}", ended.stderr);
+    assert!(ended.stderr.contains("my-mirror: a crate with a stub for your own mirror"), "{}", ended.stderr);
     let text = |path: &str| fs::read_to_string(folder.path("my-mirror").join(path)).unwrap();
     assert!(text("src/mirror.rs").contains("A stub"));
     let main = text("src/main.rs");

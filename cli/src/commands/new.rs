@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &NewArguments) -> Result<(), Failure> {
         write_file(&folder.join("Cargo.lock"), &lock)?;
     }
     report::line(format!(
-        "{}: a crate with a stub of an own {}; its README.md has the task\n\n    cd {0}\n    cargo test                                # its laws\n    \
+        "{}: a crate with a stub for your own {}; its README.md has the task\n\n    cd {0}\n    cargo test                                # its laws\n    \
          cargo run --release -- render marbles     # a picture",
         folder.display(),
         Template::of(arguments.part).called
