@@ -5,13 +5,17 @@
 //!
 //! A failing case prints as a literal. To paste it, write `use glam::{DMat3, dvec3 as DVec3, vec3 as Vec3};`.
 
+pub mod aabb;
 mod claim;
+pub mod ellipsoid;
 pub mod exact;
 mod figure;
 mod inputs;
 mod law;
 mod picture;
+pub mod plane;
 pub mod sphere;
+pub mod triangle;
 
 pub use figure::{Figure, Ink};
 pub use inputs::*;

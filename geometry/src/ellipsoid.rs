@@ -1,4 +1,4 @@
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DMat3, DVec3, Vec2, Vec3};
 
 use crate::{
     Aabb, Intersection, Interval, Primitive, Ray, Surface, Transform,
@@ -37,6 +37,20 @@ impl Ellipsoid {
         line_meets_sphere(from_center, self.to_unit.linear * ray.direction.as_dvec3(), 1.0, power)
     }
 
+    /// The surface at an intersection, its normal moved by the matrix that is made of the map.
+    pub(crate) fn surface_by(
+        &self,
+        ray: &Ray,
+        at: &Intersection,
+        normals: impl FnOnce(&Transform) -> DMat3,
+    ) -> Surface {
+        let unit = self.unit_point(ray, at);
+        let position = self.to_world.point(unit).as_vec3();
+        let normal = (normals(&self.to_world) * unit).normalize();
+        let distance = self.distance(position, normal) as f32;
+        Surface::rounded(position, self.bounds().magnitude(), normal.as_vec3()).off_by(distance)
+    }
+
     /// How far a point near the surface is from it along a normal, to first order: the equation's value over its derivative. At
     /// most a quarter of the way through the body.
     fn distance(&self, point: Vec3, normal: DVec3) -> f64 {
@@ -47,7 +61,7 @@ impl Ellipsoid {
     }
 
     /// The point of the unit sphere at an intersection.
-    fn unit_point(&self, ray: &Ray, at: &Intersection) -> DVec3 {
+    pub(crate) fn unit_point(&self, ray: &Ray, at: &Intersection) -> DVec3 {
         let t = root_nearest(self.unit_roots(ray), at.t);
         (self.to_unit.linear * (ray.at(t) - self.to_world.translation)).normalize()
     }
@@ -70,11 +84,7 @@ impl Primitive for Ellipsoid {
     }
 
     fn surface(&self, ray: &Ray, at: &Intersection) -> Surface {
-        let unit = self.unit_point(ray, at);
-        let position = self.to_world.point(unit).as_vec3();
-        let normal = (self.to_world.normals() * unit).normalize();
-        let distance = self.distance(position, normal) as f32;
-        Surface::rounded(position, self.bounds().magnitude(), normal.as_vec3()).off_by(distance)
+        self.surface_by(ray, at, Transform::normals)
     }
 
     fn uv(&self, ray: &Ray, at: &Intersection) -> Vec2 {

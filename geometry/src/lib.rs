@@ -36,7 +36,7 @@ pub use cube::unit_cube;
 pub use ellipsoid::Ellipsoid;
 pub use hit::{Hit, Intersection};
 pub use interval::Interval;
-pub use kernels::{Clip, Intersect, Kernels};
+pub use kernels::{Clip, Intersect, Kernels, NormalMatrix, PlaneUv, SmoothNormal, SphereUv, TriangleUv};
 pub use plane::{PLANE_TEXTURE_SIZE, Plane};
 pub use primitive::Primitive;
 pub use primitives::{Corners, Mesh, PrimitiveCount, Primitives};

@@ -28,5 +28,6 @@ pub fn kernels() -> Kernels {
         triangle: Some(moeller_trumbore),
         plane: Some(rejecting_near_parallel),
         aabb: Some(slab_test),
+        ..Kernels::default()
     }
 }

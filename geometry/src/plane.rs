@@ -50,6 +50,24 @@ impl Plane {
         self.normal
     }
 
+    /// What `u` and `v` grow by along each axis: their products with an offset from [`Self::point`] are how many copies of the texture
+    /// lie on the way.
+    pub fn gradients(&self) -> [DVec3; 2] {
+        self.gradients
+    }
+
+    /// The texture coordinates at an offset from [`Self::point`], each in 0..1.
+    pub fn uv_at(&self, offset: DVec3) -> Vec2 {
+        Vec2::new(repeat(self.gradients[0].dot(offset)), repeat(self.gradients[1].dot(offset)))
+    }
+
+    /// From [`Self::point`] to where a ray's line meets the plane.
+    pub(crate) fn offset(&self, ray: &Ray) -> DVec3 {
+        // The difference of what is given is exact, or nearly so; that of the hit point would lose what is small beside it.
+        let to_origin = ray.origin.as_dvec3() - self.point.as_dvec3();
+        to_origin + ray.direction.as_dvec3() * self.t(ray)
+    }
+
     /// The same plane, all of which shows the texture's place (0, 0).
     #[must_use]
     pub fn without_texture_coordinates(self) -> Self {
@@ -97,10 +115,7 @@ impl Primitive for Plane {
     }
 
     fn uv(&self, ray: &Ray, _at: &Intersection) -> Vec2 {
-        // The difference of what is given is exact, or nearly so; that of the hit point would lose what is small beside it.
-        let to_origin = ray.origin.as_dvec3() - self.point.as_dvec3();
-        let offset = to_origin + ray.direction.as_dvec3() * self.t(ray);
-        Vec2::new(repeat(self.gradients[0].dot(offset)), repeat(self.gradients[1].dot(offset)))
+        self.uv_at(self.offset(ray))
     }
 }
 

@@ -1,11 +1,8 @@
 use std::sync::Arc;
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 
-use crate::{
-    Aabb, Ellipsoid, Hit, Intersection, Interval, Kernels, Primitive, Ray, Sphere, Surface, Triangle,
-    triangle::interpolate,
-};
+use crate::{Aabb, Ellipsoid, Hit, Interval, Kernels, Primitive, Ray, Sphere, Surface, Triangle};
 
 /// Triangles that share points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -73,6 +70,9 @@ struct MeshCorners {
     normals: Corners<Vec3>,
     uvs: Corners<Vec2>,
 }
+
+/// A triangle's own texture coordinates: its two edges from the first corner are the basis.
+const EDGES: [Vec2; 3] = [Vec2::ZERO, Vec2::X, Vec2::Y];
 
 /// How many primitives of each kind there are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -198,26 +198,31 @@ impl Primitives {
         let surface = match self.numbered[hit.primitive as usize] {
             Number::Triangle(index) => self.shapes.triangles[index as usize].surface(ray, &at),
             Number::Sphere(index) => self.shapes.spheres[index as usize].surface(ray, &at),
-            Number::Ellipsoid(index) => self.shapes.ellipsoids[index as usize].surface(ray, &at),
+            Number::Ellipsoid(index) => {
+                self.shapes.ellipsoids[index as usize].surface_by(ray, &at, |map| self.kernels.matrix_of_normals(map))
+            }
         };
         let shading_normal = self
             .mesh_corners(hit.primitive, |mesh| &mesh.normals)
-            .and_then(|normals| interpolate(normals.map(|normal| normal.as_dvec3()), at.u, at.v).try_normalize());
+            .and_then(|normals| self.kernels.normal_between(normals, at.u, at.v));
         match shading_normal {
-            Some(normal) => Surface { shading_normal: normal.as_vec3(), ..surface },
+            Some(shading_normal) => Surface { shading_normal, ..surface },
             None => surface,
         }
     }
 
     /// The texture coordinates at a hit; a mesh's own are interpolated.
     pub fn uv(&self, ray: &Ray, hit: &Hit) -> Vec2 {
-        let at: Intersection = hit.intersection();
-        match self.mesh_corners(hit.primitive, |mesh| &mesh.uvs) {
-            Some(uvs) => {
-                let uv = interpolate(uvs.map(|uv| DVec3::new(f64::from(uv.x), f64::from(uv.y), 0.0)), at.u, at.v);
-                Vec2::new(uv.x as f32, uv.y as f32)
+        let (at, kernels) = (hit.intersection(), &self.kernels);
+        match self.numbered[hit.primitive as usize] {
+            Number::Sphere(index) => kernels.uv_of_sphere(self.shapes.spheres[index as usize].outward(ray, &at)),
+            Number::Ellipsoid(index) => {
+                kernels.uv_of_sphere(self.shapes.ellipsoids[index as usize].unit_point(ray, &at))
             }
-            None => self.shape(hit.primitive).uv(ray, &at),
+            Number::Triangle(_) => {
+                let given = self.mesh_corners(hit.primitive, |mesh| &mesh.uvs);
+                kernels.uv_of_triangle(given.unwrap_or(EDGES), at.u, at.v)
+            }
         }
     }
 

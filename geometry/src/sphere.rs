@@ -108,7 +108,7 @@ impl Sphere {
     }
 
     /// The unit vector from the centre to an intersection.
-    fn outward(&self, ray: &Ray, at: &Intersection) -> DVec3 {
+    pub(crate) fn outward(&self, ray: &Ray, at: &Intersection) -> DVec3 {
         (ray.at(root_nearest(self.roots(ray), at.t)) - self.center.as_dvec3()).normalize()
     }
 }

@@ -28,6 +28,17 @@ pub(crate) fn interpolate(values: [DVec3; 3], u: f32, v: f32) -> DVec3 {
     values[0] * (1.0 - u - v) + values[1] * u + values[2] * v
 }
 
+/// Texture coordinates between those of the corners, interpolated in `f64` and rounded once.
+pub(crate) fn interpolated_uv(corners: [Vec2; 3], u: f32, v: f32) -> Vec2 {
+    let uv = interpolate(corners.map(|uv| DVec3::new(f64::from(uv.x), f64::from(uv.y), 0.0)), u, v);
+    Vec2::new(uv.x as f32, uv.y as f32)
+}
+
+/// The normal between those of the corners, made a unit vector again; `None` where they cancel.
+pub(crate) fn interpolated_normal(corners: [Vec3; 3], u: f32, v: f32) -> Option<Vec3> {
+    interpolate(corners.map(|normal| normal.as_dvec3()), u, v).try_normalize().map(|normal| normal.as_vec3())
+}
+
 impl Primitive for Triangle {
     #[inline]
     fn bounds(&self) -> Aabb {

@@ -96,7 +96,7 @@ impl Scene {
     /// The texture coordinates at a hit of the same ray.
     pub fn uv(&self, ray: &Ray, hit: &Hit) -> Vec2 {
         match self.plane(hit.primitive) {
-            Some(plane) => plane.uv(ray, &hit.intersection()),
+            Some(plane) => self.bounded.kernels().uv_of_plane(plane, ray),
             None => self.bounded.uv(ray, hit),
         }
     }

@@ -15,16 +15,16 @@ mod wild;
 
 use proptest::prelude::*;
 
-pub use aabb::boxes;
-pub use ellipsoid::ellipsoids;
+pub use aabb::{boxes, drawn_boxes};
+pub use ellipsoid::{drawn_ellipsoids, ellipsoids, moved_spheres};
 pub use mesh::{Enclosed, closed_meshes, split_octahedron};
 pub(crate) use numbers::{frame, in_plane, slope};
 pub use numbers::{magnitude, unit_vector};
-pub use plane::{PlaneGiven, planes};
+pub use plane::{PlaneGiven, drawn_planes, planes};
 pub use secondary::{Apart, CubeEdge, GAP, cube_edges, ellipsoids_apart, planes_apart, spheres_apart, triangles_apart};
 pub use sphere::{drawn_spheres, spheres};
-pub use triangle::{flat_triangles, triangles};
-pub use wild::{wild_intervals, wild_numbers, wild_rays, wild_vectors};
+pub use triangle::{DrawnTriangle, drawn_triangles, flat_triangles, triangles};
+pub use wild::{wild_intervals, wild_maps, wild_numbers, wild_rays, wild_vectors};
 
 use crate::Ray;
 

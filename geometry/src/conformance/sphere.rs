@@ -1,4 +1,48 @@
-//! The laws of a ray and a sphere.
+//! A ray and a sphere.
+//!
+//! The idea: put the ray's points into the sphere's equation, `|o + t d - c|^2 = r^2`, and a quadratic for `t` is left, whose two roots
+//! are the two sides.
+//!
+//! ```text
+//!        d ->   near     far
+//!   o------------X--------X-----      f = o - c,   a = d.d,   b = 2 f.d,   c = f.f - r^2
+//!              /     |     \
+//!             |      c      |         t = (-b -+ sqrt(b^2 - 4 a c)) / 2 a
+//! ```
+//!
+//! **The contract** is [`crate::Primitive::intersect`]'s: the lesser of the two `t` that lies strictly inside the interval, in multiples of
+//! the direction, whatever its length; `u` and `v` stay 0. A kernel decides nothing else: point and normal follow from `t`.
+//!
+//! **The laws** stand below from the easiest on. The hard cases: an origin 1e6 radii off (`b^2` and `4 a c` agree in all digits of
+//! `f32`), an origin on the surface (one root is nearly 0), tangents (the square root doubles the digits that are lost), NaN.
+//! What they are held against is the quadratic in rational numbers, which round nowhere.
+//!
+//! **Literature.** Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019,
+//! chapter 7. Press et al.: Numerical Recipes, 3rd ed. 2007, section 5.6, on the quadratic. Higham: Accuracy and Stability of
+//! Numerical Algorithms, 2nd ed. 2002, section 1.8. Our own: [`crate::Sphere`]'s source.
+//!
+//! **Exercises.** 1. Pass the kit up to `what_is_no_number_is_not_met` in `f32`. 2. Pass `a_small_sphere_far_off_keeps_its_digits`, still in
+//! `f32`. 3. Pass it all; which steps must be `f64`? 4. Beat the reference: fewer instructions, and no law broken.
+//!
+//! # Mistakes, and the law that names each
+//!
+//! | mistake | law |
+//! |---|---|
+//! | only the far side is looked at | [`a_sphere_straight_ahead_is_met`] |
+//! | the direction is taken for a unit vector | [`t_counts_multiples_of_the_direction`] |
+//! | the root of the discriminant's absolute value | [`a_ray_beside_the_sphere_misses_it`] |
+//! | the absolute value of t | [`a_sphere_behind_the_ray_is_not_met`] |
+//! | only the near side is looked at | [`from_inside_the_far_side_is_met`] |
+//! | the interval is not checked | [`a_hit_outside_the_interval_does_not_count`] |
+//! | the interval's ends count as inside | [`a_hit_outside_the_interval_does_not_count`] |
+//! | the far side only for a negative near one | [`the_far_side_is_met_where_the_near_one_does_not_count`] |
+//! | texture coordinates in u and v | [`nothing_but_t_is_told`] |
+//! | the interval is checked so that NaN passes | [`what_is_no_number_is_not_met`] |
+//! | the school's formula in f32 | [`a_small_sphere_far_off_keeps_its_digits`] |
+//! | the school's formula in f64 | [`t_is_the_nearest_root_ahead_to_half_an_ulp`] |
+//! | an epsilon at the interval's lower end | [`t_is_the_nearest_root_ahead_to_half_an_ulp`] |
+
+use std::ops::Range;
 
 use super::claim::{Truth, broken, wild_claim};
 use super::exact::{Quadratic, SINGLE, ULPS, Vector, approximate, exact, truths};
@@ -7,32 +51,39 @@ use super::{
 };
 use crate::{Intersect, Intersection, Interval, Ray, Sphere};
 
-/// The part: a plain function.
+/// The part: a plain function, the field `sphere` of [`crate::Kernels`].
 pub type Part = Intersect<Sphere>;
+
+const UNIT: Range<f64> = 1.0..1.000_001;
 
 /// A sphere in front of the ray is met, to three digits, where a drawing on paper shows it.
 pub fn a_sphere_straight_ahead_is_met(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
+    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9, UNIT), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
+}
+
+/// The direction need not be a unit vector: if it is twice as long, `t` is half as much.
+pub fn t_counts_multiples_of_the_direction(part: &Part, trial: &Trial) -> Verdict {
+    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9, 0.25..4.0), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
 }
 
 /// A ray that goes by is no hit: the discriminant is negative.
 pub fn a_ray_beside_the_sphere_misses_it(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(2.0..10.0, 1.1..3.0), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
+    trial.search(drawn_spheres(2.0..10.0, 1.1..3.0, UNIT), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
 }
 
 /// What lies behind the origin is not met: `t` is negative there.
 pub fn a_sphere_behind_the_ray_is_not_met(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(-10.0..-2.0, 0.0..0.9), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
+    trial.search(drawn_spheres(-10.0..-2.0, 0.0..0.9, UNIT), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
 }
 
 /// From inside the far side is met: the near one is behind.
 pub fn from_inside_the_far_side_is_met(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(-0.4..0.4, 0.0..0.8), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
+    trial.search(drawn_spheres(-0.4..0.4, 0.0..0.8, UNIT), |aimed| is_met(part, aimed, Interval::FORWARD, DRAWN))
 }
 
 /// A hit counts strictly inside the interval: a light's shadow ray must not find what lies beyond the light.
 pub fn a_hit_outside_the_interval_does_not_count(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9), |aimed| {
+    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9, UNIT), |aimed| {
         let Some(first) = part(&aimed.shape, &aimed.ray, Interval::FORWARD) else { return Ok(()) };
         // Shortly before it, and right at it: an interval's ends lie outside.
         is_met(part, aimed, Interval::FORWARD.up_to(0.9 * first.t), DRAWN)?;
@@ -43,7 +94,7 @@ pub fn a_hit_outside_the_interval_does_not_count(part: &Part, trial: &Trial) -> 
 
 /// Where the near side lies before the interval, the far one is asked.
 pub fn the_far_side_is_met_where_the_near_one_does_not_count(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9), |aimed| {
+    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9, UNIT), |aimed| {
         let [near, far] = equation(&aimed.shape, &aimed.ray).roots().expect("the ray is aimed at the sphere");
         is_met(part, aimed, Interval { min: (0.5 * (near + far)) as f32, max: f32::INFINITY }, DRAWN)
     })
@@ -51,7 +102,7 @@ pub fn the_far_side_is_met_where_the_near_one_does_not_count(part: &Part, trial:
 
 /// `u` and `v` of an intersection are a triangle's.
 pub fn nothing_but_t_is_told(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9), |aimed| {
+    trial.search(drawn_spheres(2.0..10.0, 0.0..0.9, UNIT), |aimed| {
         let found = part(&aimed.shape, &aimed.ray, Interval::FORWARD);
         let expected = found.map(|met| Intersection::at(met.t));
         if found == expected { Ok(()) } else { Err(broken(&aimed.ray, ("u = 0 and v = 0", None), found, scene(aimed))) }
@@ -69,7 +120,7 @@ pub fn what_is_no_number_is_not_met(part: &Part, trial: &Trial) -> Verdict {
 /// Small and far off, the terms of the school's formula are much larger than their difference. Six digits are left of `t` if
 /// the discriminant is made otherwise, in `f32` as well.
 pub fn a_small_sphere_far_off_keeps_its_digits(part: &Part, trial: &Trial) -> Verdict {
-    trial.search(drawn_spheres(1e3..1e4, 0.0..0.9), |aimed| is_met(part, aimed, Interval::FORWARD, 1e-6))
+    trial.search(drawn_spheres(1e3..1e4, 0.0..0.9, UNIT), |aimed| is_met(part, aimed, Interval::FORWARD, 1e-6))
 }
 
 /// Where half an ulp of the inputs could not make hit and miss of each other: within 4 u of tangency, the square root doubles the
@@ -136,6 +187,7 @@ crate::kit! { $crate
     /// Names the laws of a ray and a sphere as tests of an [`crate::Intersect`]: `geometry::sphere_conformance!(my_sphere);`.
     sphere_conformance, Part, sphere;
     a_sphere_straight_ahead_is_met: "nothing is returned yet: solve |o + t d - c| = r for t and return the lesser one, in multiples of d";
+    t_counts_multiples_of_the_direction: "the direction is taken for a unit vector: a = 1, where a is d.d; or it is normalised, and t is a distance";
     a_ray_beside_the_sphere_misses_it: "a negative discriminant is not taken for a miss";
     a_sphere_behind_the_ray_is_not_met: "a negative t is returned, or its absolute value";
     from_inside_the_far_side_is_met: "only the lesser of the two t is looked at, which is behind an origin inside";

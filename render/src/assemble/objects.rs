@@ -1,6 +1,6 @@
 use std::borrow::Cow;
 
-use geometry::{Corners, Ellipsoid, Mesh, Plane, Sphere, Transform, unit_cube};
+use geometry::{Corners, Ellipsoid, Kernels, Mesh, Plane, Sphere, Transform, unit_cube};
 use glam::{DVec3, Vec2, Vec3};
 use scene_format::{
     Code, Diagnostic, Span, Spanned,
@@ -60,9 +60,11 @@ impl<'a> Parts<'a> {
             Shape::Plane { point, orientation } => {
                 self.add_plane(point.value, *orientation, shaders, to_world, shape.span)
             }
-            Shape::Box => self.add_mesh(placed(unit_cube(), to_world), None, shaders, shape.span),
+            Shape::Box => {
+                self.add_mesh(placed(unit_cube(), to_world, &self.modules.kernels), None, shaders, shape.span)
+            }
             Shape::Mesh(mesh) => self.add_mesh(
-                placed(from_file(mesh, self.modules.dialect), to_world),
+                placed(from_file(mesh, self.modules.dialect), to_world, &self.modules.kernels),
                 mesh.face_shaders.as_ref().map(|shaders| shaders.as_slice()),
                 shaders,
                 shape.span,
@@ -204,7 +206,12 @@ impl<'a> Parts<'a> {
         if smooth.is_some_and(|smooth| smooth.value) && *mesh.normals == PerVertex::None {
             smooth_normals(&mut mesh);
         }
-        self.add_mesh(placed(from_file(&mesh, self.modules.dialect), to_world), None, shaders, file.span)
+        self.add_mesh(
+            placed(from_file(&mesh, self.modules.dialect), to_world, &self.modules.kernels),
+            None,
+            shaders,
+            file.span,
+        )
     }
 
     /// Adds a mesh that is made here, of so many triangles.
@@ -217,7 +224,7 @@ impl<'a> Parts<'a> {
         span: Span,
     ) -> Result<(), NotPlaced> {
         self.check_count(count, span)?;
-        self.add_mesh(placed(make(), to_world), None, shaders, span)
+        self.add_mesh(placed(make(), to_world, &self.modules.kernels), None, shaders, span)
     }
 
     /// Whether an object may have so many elements; `None` is more than can be counted.
@@ -398,7 +405,7 @@ fn from_file(mesh: &scene_file::Mesh, dialect: Dialect) -> Mesh {
 }
 
 /// A mesh under a transform. Where that mirrors, each triangle is turned round, so that its front stays in front.
-fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
+fn placed(mut mesh: Mesh, to_world: &Transform, kernels: &Kernels) -> Mesh {
     if *to_world == Transform::IDENTITY {
         return mesh;
     }
@@ -406,7 +413,7 @@ fn placed(mut mesh: Mesh, to_world: &Transform) -> Mesh {
         *position = to_world.point_f32(*position);
     }
     // Their lengths among each other stay as they are: a longer one counts for more where they are interpolated.
-    let matrix = to_world.normals();
+    let matrix = kernels.matrix_of_normals(to_world);
     let longest = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
     let matrix = matrix * longest.into_iter().fold(0.0, f64::max).recip();
     let turned = |normal: Vec3| (matrix * normal.as_dvec3()).as_vec3();

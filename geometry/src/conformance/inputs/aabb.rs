@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
@@ -67,4 +69,26 @@ fn boxes_at_any_side() -> impl Strategy<Value = Aimed<Aabb>> {
         let origin = Vec3::new(start(0), start(1), start(2));
         Aimed { shape, ray: Ray::new(origin, Vec3::new(towards(0), towards(1), towards(2))) }
     })
+}
+
+/// Boxes as one draws them on paper: edges of 0.5 to 2, near the origin of space; and rays whose point nearest the middle is so many half
+/// edges (of the longest) ahead of their origin, and so many (of the shortest) beside the middle. No component of a direction is small.
+pub fn drawn_boxes(ahead: Range<f64>, beside: Range<f64>) -> impl Strategy<Value = Aimed<Aabb>> {
+    let min = [-2.0..2.0_f64, -2.0..2.0, -2.0..2.0].prop_map(DVec3::from);
+    let edges = [0.5..2.0_f64, 0.5..2.0, 0.5..2.0].prop_map(DVec3::from);
+    let direction = [0.2..1.0_f64, 0.2..1.0, 0.2..1.0].prop_map(DVec3::from);
+    (min, edges, direction, 0..8_u32, ahead, beside, 0.0..6.3_f64).prop_map(
+        |(min, edges, mut direction, signs, ahead, beside, around)| {
+            for axis in (0..3).filter(|axis| signs >> axis & 1 == 1) {
+                direction[axis] = -direction[axis];
+            }
+            let shape = Aabb { min: min.as_vec3(), max: (min + edges).as_vec3() };
+            let (x, y) = direction.normalize().any_orthonormal_pair();
+            let (sin, cos) = libm::sincos(around);
+            let nearest = min + edges * 0.5 + (x * cos + y * sin) * (beside * 0.5 * edges.min_element());
+            let reach = if ahead.abs() > 1.0 { edges.length() } else { edges.min_element() };
+            let origin = nearest - direction.normalize() * (ahead * 0.5 * reach);
+            Aimed { shape, ray: Ray::new(origin.as_vec3(), direction.as_vec3()) }
+        },
+    )
 }

@@ -1,4 +1,6 @@
-use glam::Vec3;
+use std::ops::Range;
+
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::{Aimed, frame, in_plane, magnitude, slope, unit_vector};
@@ -59,4 +61,28 @@ pub fn planes() -> impl Strategy<Value = Aimed<PlaneGiven>> {
         let hit = point + frame.y_axis * away;
         Aimed { shape, ray: Ray::new((hit - direction * distance).as_vec3(), (direction * length).as_vec3()) }
     })
+}
+
+/// Planes as one draws them on paper, by points or by a normal, near the origin of space; and rays of some length that are so many units
+/// before them and meet them at such a cosine, positive from the front.
+pub fn drawn_planes(cosine: Range<f64>, ahead: Range<f64>, length: f64) -> impl Strategy<Value = Aimed<PlaneGiven>> {
+    let point = [-2.0..2.0_f64, -2.0..2.0, -2.0..2.0].prop_map(DVec3::from);
+    let beside = (0.0..6.3_f64, 0.0..2.0_f64);
+    (frame(), point, any::<bool>(), beside, cosine, 0.0..6.3_f64, ahead).prop_map(
+        move |(frame, point, by_points, (around, off), cosine, heading, ahead)| {
+            let shape = if by_points {
+                PlaneGiven::ByPoints {
+                    point: point.as_vec3(),
+                    along_u: (point + frame.x_axis).as_vec3(),
+                    along_v: (point + in_plane(frame, 1.0)).as_vec3(),
+                }
+            } else {
+                PlaneGiven::ByNormal { point: point.as_vec3(), normal: frame.z_axis.as_vec3() }
+            };
+            let along = in_plane(frame, heading) * f64::sqrt(1.0 - cosine * cosine);
+            let direction = along - frame.z_axis * cosine;
+            let origin = point + in_plane(frame, around) * off - direction * ahead;
+            Aimed { shape, ray: Ray::new(origin.as_vec3(), (direction * length).as_vec3()) }
+        },
+    )
 }

@@ -22,19 +22,21 @@ pub fn spheres() -> impl Strategy<Value = Aimed<Sphere>> {
 }
 
 /// Spheres as one draws them on paper: of radius 0.5 to 2, near the origin of space; and rays whose point nearest the centre is so many
-/// radii ahead of their origin and so many beside the centre. Directions of length 0.5 to 2.
-pub fn drawn_spheres(ahead: Range<f64>, beside: Range<f64>) -> impl Strategy<Value = Aimed<Sphere>> {
+/// radii ahead of their origin and so many beside the centre. The direction's length is given.
+pub fn drawn_spheres(
+    ahead: Range<f64>,
+    beside: Range<f64>,
+    length: Range<f64>,
+) -> impl Strategy<Value = Aimed<Sphere>> {
     let center = [-2.0..2.0_f64, -2.0..2.0, -2.0..2.0].prop_map(DVec3::from);
-    (center, 0.5..2.0_f64, frame(), ahead, beside, 0.5..2.0_f64).prop_map(
-        |(center, radius, frame, ahead, beside, length)| {
-            let nearest = center + frame.x_axis * (beside * radius);
-            let origin = nearest - frame.z_axis * (ahead * radius);
-            Aimed {
-                shape: Sphere { center: center.as_vec3(), radius: radius as f32 },
-                ray: Ray::new(origin.as_vec3(), (frame.z_axis * length).as_vec3()),
-            }
-        },
-    )
+    (center, 0.5..2.0_f64, frame(), ahead, beside, length).prop_map(|(center, radius, frame, ahead, beside, length)| {
+        let nearest = center + frame.x_axis * (beside * radius);
+        let origin = nearest - frame.z_axis * (ahead * radius);
+        Aimed {
+            shape: Sphere { center: center.as_vec3(), radius: radius as f32 },
+            ray: Ray::new(origin.as_vec3(), (frame.z_axis * length).as_vec3()),
+        }
+    })
 }
 
 /// A line as the unit sphere at the origin sees it: origin and unit direction.

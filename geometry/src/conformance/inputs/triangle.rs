@@ -1,4 +1,6 @@
-use glam::Vec3;
+use std::ops::Range;
+
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::{Aimed, frame, in_plane, magnitude, slope, unit_vector};
@@ -69,4 +71,63 @@ fn barycentric() -> impl Strategy<Value = [f64; 3]> {
         1 => [c, a, b],
         _ => [b, c, a],
     })
+}
+
+/// A triangle as one draws it on paper: its edges 0.5 to 3 long, not flat, near the origin of space; and a place inside it that a ray
+/// is aimed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnTriangle {
+    /// The corners.
+    pub corners: [Vec3; 3],
+    /// The corners' shares in the place, each 0.1 at least.
+    pub weights: [f64; 3],
+    /// The direction: to the back, not flat.
+    pub direction: DVec3,
+    /// How far the place is ahead, in directions.
+    pub ahead: f64,
+}
+
+impl DrawnTriangle {
+    /// A ray at the place.
+    pub fn inside(&self) -> Aimed<Triangle> {
+        self.aimed(self.weights, self.direction)
+    }
+
+    /// A ray at the place, from the other side.
+    pub fn from_behind(&self) -> Aimed<Triangle> {
+        let normal = Triangle { corners: self.corners }.scaled_normal().normalize();
+        self.aimed(self.weights, self.direction.reflect(normal))
+    }
+
+    /// A ray past the edge across from a corner, by a tenth of the height at least.
+    pub fn beyond(&self, corner: usize) -> Aimed<Triangle> {
+        let mut weights = self.weights;
+        let weight = weights[corner];
+        weights[corner] = -weight;
+        weights[(corner + 1) % 3] *= (1.0 + weight) / (1.0 - weight);
+        weights[(corner + 2) % 3] *= (1.0 + weight) / (1.0 - weight);
+        self.aimed(weights, self.direction)
+    }
+
+    fn aimed(&self, [wa, wb, wc]: [f64; 3], direction: DVec3) -> Aimed<Triangle> {
+        let [a, b, c] = self.corners.map(|corner| corner.as_dvec3());
+        let origin = a * wa + b * wb + c * wc - direction * self.ahead;
+        Aimed { shape: Triangle { corners: self.corners }, ray: Ray::new(origin.as_vec3(), direction.as_vec3()) }
+    }
+}
+
+/// Such triangles, so many units ahead of a ray with a direction of some length.
+pub fn drawn_triangles(ahead: Range<f64>, length: f64) -> impl Strategy<Value = DrawnTriangle> {
+    let start = [-2.0..2.0_f64, -2.0..2.0, -2.0..2.0].prop_map(DVec3::from);
+    let shape = (0.5..2.0_f64, 0.2..0.8_f64, 0.5..2.0_f64);
+    let weights = (0.1..0.4_f64, 0.1..0.4_f64).prop_map(|(b, c)| [1.0 - b - c, b, c]);
+    (frame(), start, shape, weights, (0.0..1.0_f64, 0.0..6.3_f64), ahead).prop_map(
+        move |(frame, a, (width, lean, height), weights, (slope, heading), ahead)| {
+            let b = a + frame.x_axis * width;
+            let c = a + frame.x_axis * (lean * width) + frame.y_axis * height;
+            let direction = (in_plane(frame, heading) * slope - frame.z_axis).normalize() * length;
+            let corners = [a, b, c].map(|corner| corner.as_vec3());
+            DrawnTriangle { corners, weights, direction, ahead: ahead / length }
+        },
+    )
 }

@@ -1,7 +1,7 @@
-use glam::Vec3;
+use glam::{DMat3, Vec3};
 use proptest::prelude::*;
 
-use crate::{Interval, Ray};
+use crate::{Interval, Ray, Transform};
 
 /// Vectors with components that are NaN, infinite, huge, zero, denormal; one in two is ordinary.
 pub fn wild_vectors() -> impl Strategy<Value = Vec3> {
@@ -33,4 +33,12 @@ pub fn wild_rays() -> impl Strategy<Value = Ray> {
 pub fn wild_intervals() -> impl Strategy<Value = Interval> {
     let wild = (wild_numbers(), wild_numbers()).prop_map(|(min, max)| Interval { min, max });
     prop_oneof![Just(Interval::FORWARD), wild]
+}
+
+/// Maps of such vectors.
+pub fn wild_maps() -> impl Strategy<Value = Transform> {
+    [wild_vectors(), wild_vectors(), wild_vectors(), wild_vectors()].prop_map(|vectors| {
+        let [x, y, z, translation] = vectors.map(Vec3::as_dvec3);
+        Transform { linear: DMat3::from_cols(x, y, z), translation }
+    })
 }
