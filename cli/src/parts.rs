@@ -18,6 +18,16 @@ pub(crate) enum Part {
     Plane,
     /// How a ray passes a box.
     Box,
+    /// Where on a sphere's texture a direction lies.
+    SphereUv,
+    /// Where on a plane's texture a point lies.
+    PlaneUv,
+    /// Where on a mesh's texture a point of a triangle lies.
+    TriangleUv,
+    /// The normal that lets a mesh look round.
+    SmoothNormal,
+    /// What moves normals as a map moves points.
+    NormalMatrix,
     /// Where new rays start.
     RayOrigin,
     /// What finds the nearest hit.
@@ -68,6 +78,11 @@ impl Part {
             Self::Triangle => modules.kernels.triangle.is_some(),
             Self::Plane => modules.kernels.plane.is_some(),
             Self::Box => modules.kernels.aabb.is_some(),
+            Self::SphereUv => modules.kernels.sphere_uv.is_some(),
+            Self::PlaneUv => modules.kernels.plane_uv.is_some(),
+            Self::TriangleUv => modules.kernels.triangle_uv.is_some(),
+            Self::SmoothNormal => modules.kernels.smooth_normal.is_some(),
+            Self::NormalMatrix => modules.kernels.normal_matrix.is_some(),
             Self::RayOrigin => !fn_addr_eq(modules.ray_origin, reference.ray_origin),
             Self::Accelerator => !fn_addr_eq(modules.accelerator, reference.accelerator),
             Self::Constant => !fn_addr_eq(modules.shaders.constant, reference.shaders.constant),
@@ -94,6 +109,11 @@ impl Part {
             Self::Triangle => kernels(Kernels { triangle: None, ..modules.kernels }),
             Self::Plane => kernels(Kernels { plane: None, ..modules.kernels }),
             Self::Box => kernels(Kernels { aabb: None, ..modules.kernels }),
+            Self::SphereUv => kernels(Kernels { sphere_uv: None, ..modules.kernels }),
+            Self::PlaneUv => kernels(Kernels { plane_uv: None, ..modules.kernels }),
+            Self::TriangleUv => kernels(Kernels { triangle_uv: None, ..modules.kernels }),
+            Self::SmoothNormal => kernels(Kernels { smooth_normal: None, ..modules.kernels }),
+            Self::NormalMatrix => kernels(Kernels { normal_matrix: None, ..modules.kernels }),
             Self::RayOrigin => Modules { ray_origin: reference.ray_origin, ..modules },
             Self::Accelerator => Modules { accelerator: reference.accelerator, ..modules },
             Self::Constant => shaders(Shaders { constant: reference.shaders.constant, ..modules.shaders }),
@@ -134,7 +154,8 @@ pub(crate) fn listed(parts: &[Part]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geometry::{Kernels, Surface};
+    use geometry::Surface;
+    use glam::{DMat3, Vec2};
     use shading::{Color, Constant};
 
     /// Every part another one than the reference's.
@@ -151,6 +172,11 @@ mod tests {
                 triangle: Some(|_, _, _| None),
                 plane: Some(|_, _, _| None),
                 aabb: Some(|_, _, _| None),
+                sphere_uv: Some(|_| Vec2::ZERO),
+                plane_uv: Some(|_, _| Vec2::ZERO),
+                triangle_uv: Some(|_, _, _| Vec2::ZERO),
+                smooth_normal: Some(|_, _, _| None),
+                normal_matrix: Some(|_| DMat3::ZERO),
             },
             ray_origin: |surface: &Surface, _| surface.position,
             accelerator: accel::none,

@@ -16,8 +16,12 @@ macro_rules! stubs {
 
 stubs! {
     accelerator = "../../cli/templates/accelerator.rs";
+    cuboid = "../../cli/templates/box.rs";
+    ellipsoid = "../../cli/templates/ellipsoid.rs";
     mirror = "../../cli/templates/mirror.rs";
+    plane = "../../cli/templates/plane.rs";
     sphere = "../../cli/templates/sphere.rs";
+    triangle = "../../cli/templates/triangle.rs";
 }
 
 /// The easiest law fails on a stub, whatever the seed, and says that nothing is returned yet and what to do.
@@ -34,6 +38,10 @@ fn begins<Part>(laws: &[Law<Part>], stub: &Part) {
 fn the_first_law_of_each_kit_tells_a_stub_s_author_what_to_do_first() {
     begins(accel::conformance::accelerator::LAWS, &(accelerator::build as _));
     begins(geometry::conformance::sphere::LAWS, &(sphere::intersect as _));
+    begins(geometry::conformance::ellipsoid::LAWS, &(ellipsoid::intersect as _));
+    begins(geometry::conformance::triangle::LAWS, &(triangle::intersect as _));
+    begins(geometry::conformance::plane::LAWS, &(plane::intersect as _));
+    begins(geometry::conformance::aabb::LAWS, &(cuboid::clip as _));
     begins(shading::conformance::mirror::LAWS, &(mirror::shader as _));
 }
 

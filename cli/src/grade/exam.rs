@@ -1,5 +1,5 @@
-use geometry::Primitive;
-use geometry::conformance::{Broken, Law, Trial};
+use geometry::conformance::{self as kits, Broken, Law, Trial};
+use geometry::{Aabb, BoxProbe, Interval, Primitive, Ray};
 use render::Modules;
 
 use crate::parts::Part;
@@ -25,13 +25,22 @@ impl Exam {
 /// The kit of a part, from its easiest law to its hardest.
 pub(crate) fn exams(part: Part) -> Vec<Exam> {
     match part {
-        Part::Sphere => {
-            kit(geometry::conformance::sphere::LAWS, |modules| modules.kernels.sphere.unwrap_or(Primitive::intersect))
+        Part::Sphere => kit(kits::sphere::LAWS, |modules| modules.kernels.sphere.unwrap_or(Primitive::intersect)),
+        Part::Ellipsoid => {
+            kit(kits::ellipsoid::LAWS, |modules| modules.kernels.ellipsoid.unwrap_or(Primitive::intersect))
         }
+        Part::Triangle => kit(kits::triangle::LAWS, |modules| modules.kernels.triangle.unwrap_or(Primitive::intersect)),
+        Part::Plane => kit(kits::plane::LAWS, |modules| modules.kernels.plane.unwrap_or(Primitive::intersect)),
+        Part::Box => kit(kits::aabb::LAWS, |modules| modules.kernels.aabb.unwrap_or(clip)),
         Part::Accelerator => kit(accel::conformance::accelerator::LAWS, |modules| modules.accelerator),
         Part::Mirror => kit(shading::conformance::mirror::LAWS, |modules| modules.shaders.mirror),
         _ => Vec::new(),
     }
+}
+
+/// The reference's box test, which its trees take apart.
+fn clip(aabb: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
+    BoxProbe::new(ray, aabb.magnitude()).clip(*aabb, within)
 }
 
 /// The laws of a kit; `part` takes from the modules what they are laws of.
