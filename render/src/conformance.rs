@@ -1,6 +1,10 @@
-//! Inputs for property tests of cameras: far eyes, narrow views, and places of the picture to look through.
+//! The kits of the parts of this crate, and their inputs: far eyes, narrow views, places of the picture to look through.
 //!
-//! As [`geometry::conformance`], whose numbers and vectors these are made of.
+//! A kit is a module with a list `LAWS`, from the easiest law to the hardest; its macro names each as a test of a part of your own:
+//! `render::sampler_conformance!(my_sampler);`. [`geometry::conformance`] tells what a law is, and has the numbers and vectors that the inputs
+//! are made of.
+
+pub mod sampler;
 
 use geometry::conformance::{magnitude, unit_vector};
 use glam::{DVec2, DVec3};

@@ -4,16 +4,26 @@
 //! `shading::mirror_conformance!(my_mirror);`. A shader is held against formulas in `f64`, on a [`Stage`]: a point, a few lights and something in
 //! their way. [`geometry::conformance`] tells what a law is, and has the numbers and vectors that the inputs are made of.
 
+pub mod constant;
+pub mod falloff;
+pub mod glass;
+mod lit;
 pub mod mirror;
+pub mod phong;
+pub mod soft_shadows;
 mod stage;
 mod stages;
+pub mod texture;
 
 use geometry::conformance::{magnitude, unit_vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 pub use stage::{Lamp, Shown, Stage, sky};
-pub use stages::{from_inside, from_outside, lamps, leaning, mirrored_through, stages, straight};
+pub use stages::{
+    blocked_at, from_inside, from_outside, lamps, leaning, lit, lit_from_behind, lit_through_the_surface,
+    mirrored_through, stages, straight, undimmed,
+};
 
 use crate::{Absorption, Color};
 

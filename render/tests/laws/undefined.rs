@@ -3,7 +3,7 @@
 use geometry::conformance::{times, wild_numbers};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use render::{Camera, Frame, Pinhole, Purpose, Sample, Sampler, ThinLens, centred, random, sobol};
+use render::{Camera, Frame, Pinhole, ThinLens};
 
 fn wild() -> impl Strategy<Value = DVec3> {
     [wild_numbers(), wild_numbers(), wild_numbers()].prop_map(|v| DVec3::from(v.map(f64::from)))
@@ -33,19 +33,6 @@ proptest! {
         for camera in [&Pinhole { frame } as &dyn Camera, &thin_lens] {
             let direction = camera.ray(film, &|| lens).direction;
             prop_assert!(direction.is_nan() || direction.is_normalized(), "{}", direction);
-        }
-    }
-
-    #[test]
-    fn every_sampler_stays_in_the_unit_square(
-        [seed, x, y, count, index] in any::<[u32; 5]>(), zones in 0_u32..12, cluster in any::<u32>(), path in any::<u32>(),
-    ) {
-        for purpose in [Purpose::Pixel, Purpose::Lens, Purpose::Light { cluster, path }] {
-            let sample = Sample { seed, pixel: [x, y], zones: 1 << zones, count, index, purpose };
-            for sampler in [random, centred, sobol] as [Sampler; 3] {
-                let point = sample.point(sampler);
-                prop_assert!(point.cmpge(DVec2::ZERO).all() && point.cmplt(DVec2::ONE).all(), "{} for {:?}", point, sample);
-            }
         }
     }
 }

@@ -127,8 +127,33 @@ impl Stage {
 
     /// The direction in which a mirror sends the ray on: `d - 2 (d.n) n`.
     pub fn mirrored(&self) -> DVec3 {
-        let (d, n) = (self.direction.as_dvec3(), self.normal());
+        let (d, n) = (self.direction.as_dvec3().normalize(), self.normal());
         d - 2.0 * d.dot(n) * n
+    }
+
+    /// From the point to its first light; straight up if it has none.
+    pub fn to_lamp(&self) -> DVec3 {
+        let lamp = self.lamps.iter().flatten().next();
+        lamp.map_or(self.outward(), |lamp| lamp.position.as_dvec3() - self.surface.position.as_dvec3())
+    }
+
+    /// What each light brings where nothing is in its way: the unit direction to it, the cosine to the normal, and the light; none of
+    /// those behind the surface or behind its normal.
+    pub(super) fn arriving(&self) -> impl Iterator<Item = (DVec3, f64, [f64; 3])> {
+        self.lamps.iter().flatten().filter_map(|lamp| {
+            let to_light = lamp.position.as_dvec3() - self.surface.position.as_dvec3();
+            let (distance, direction) = (to_light.length(), to_light.normalize());
+            let cosine = direction.dot(self.normal());
+            let power = f64::from(lamp.power);
+            let arrives = times(lamp.color, [power / (power + distance); 3]);
+            (cosine > 0.0 && direction.dot(self.outward()) > 0.0).then_some((direction, cosine, arrives))
+        })
+    }
+
+    /// What all lights bring to a matt surface: the sum of light times cosine.
+    pub(super) fn matt_light(&self) -> [f64; 3] {
+        let lights = self.arriving().map(|(_, cosine, light)| light.map(|channel| channel * cosine));
+        lights.fold([0.0; 3], |sum, light| [0, 1, 2].map(|channel| sum[channel] + light[channel]))
     }
 
     /// A drawing: the ray, the surface with its normal, what stands around, and the rays that the shader followed.
@@ -157,10 +182,15 @@ impl Stage {
         figure
     }
 
-    /// The verdict where an amount of light was expected; found is right to 1e-5 of the brightest channel.
+    /// The verdict where an amount of light was expected, to 1e-5: room for a few roundings in single precision.
     pub(super) fn shows(&self, shown: &Shown, expected: [f64; 3]) -> Verdict {
+        self.shows_to(shown, expected, 1e-5)
+    }
+
+    /// The verdict where an amount of light was expected, to a share of the brightest channel, or of 1.
+    pub(super) fn shows_to(&self, shown: &Shown, expected: [f64; 3], exact: f64) -> Verdict {
         let size = expected.iter().fold(1.0_f64, |size, channel| size.max(channel.abs()));
-        let near = |(found, expected): (f32, f64)| (f64::from(found) - expected).abs() <= 1e-5 * size;
+        let near = |(found, expected): (f32, f64)| (f64::from(found) - expected).abs() <= exact * size;
         if shown.color.to_array().into_iter().zip(expected).all(near) {
             return Ok(());
         }
@@ -186,7 +216,7 @@ impl Stage {
 }
 
 fn towards_viewer(normal: Vec3, direction: Vec3) -> DVec3 {
-    let normal = normal.as_dvec3();
+    let normal = normal.as_dvec3().normalize();
     if direction.as_dvec3().dot(normal) > 0.0 { -normal } else { normal }
 }
 

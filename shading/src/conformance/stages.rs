@@ -1,10 +1,10 @@
-use geometry::Surface;
 use geometry::conformance::{magnitude, unit_vector};
+use geometry::{Sphere, Surface};
 use glam::{DVec3, Vec2};
 use proptest::prelude::*;
 
 use super::{Lamp, Stage, colors};
-use crate::Bounces;
+use crate::{Bounces, Color};
 
 /// The cosine between a ray's way back and the normal.
 fn cosines() -> impl Strategy<Value = f64> {
@@ -57,6 +57,66 @@ pub fn lamps(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = Stag
         let lamp = |(place, color, power): (DVec3, _, _)| Lamp { position: (at + place).as_vec3(), color, power };
         Stage { lamps: [one, other].map(|drawn| Some(lamp(drawn))), ..stage }
     })
+}
+
+/// Stages with one light on the viewer's side of both normals, 0.3 to 8 away, anywhere from straight above to a cosine of 0.05; no ambient light.
+pub fn lit(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = Stage> {
+    let lamp = (0.05..1.0, 0.0..6.3, 0.3..8.0, colors(), 0.5_f32..20.0);
+    let stages = (stages, lamp).prop_map(|(stage, (cosine, around, distance, color, power))| {
+        let side = stage.normal();
+        let to_light = side * cosine + in_plane(side, around) * f64::sqrt(1.0 - cosine * cosine);
+        with_lamp(stage, to_light * distance, color, power)
+    });
+    stages.prop_filter("behind the true surface", |stage| stage.to_lamp().dot(stage.outward()) > 0.0)
+}
+
+/// Those with one light behind both normals.
+pub fn lit_from_behind(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = Stage> {
+    lit(stages).prop_map(|stage| {
+        let to_light = stage.to_lamp();
+        let mirrored = to_light - 2.0 * to_light.dot(stage.outward()) * stage.outward();
+        let [lamp, _] = stage.lamps;
+        let lamp = lamp.map(|lamp| Lamp { position: (stage.surface.position.as_dvec3() + mirrored).as_vec3(), ..lamp });
+        Stage { lamps: [lamp, None], ..stage }
+    })
+}
+
+/// Those whose light is before the mesh's leaning normal, and behind the true surface.
+pub fn lit_through_the_surface() -> impl Strategy<Value = Stage> {
+    let lamp = (0.1..0.9, 0.3..8.0, colors(), 0.5_f32..20.0);
+    (leaning(), lamp).prop_map(|(stage, (share, distance, color, power))| {
+        // Between the two tangent planes, in the plane of both normals.
+        let (normal, outward) = (stage.normal(), stage.outward());
+        let along = normal.reject_from(outward).normalize();
+        let lean = libm::acos(normal.dot(outward).min(1.0));
+        let (sin, cos) = libm::sincos(share * lean);
+        with_lamp(stage, (along * cos - outward * sin) * distance, color, power)
+    })
+}
+
+/// With something opaque on the line from the point through its light, at so many times the light's distance.
+pub fn blocked_at(
+    stages: impl Strategy<Value = Stage>,
+    place: impl Strategy<Value = f64>,
+) -> impl Strategy<Value = Stage> {
+    (stages, place).prop_map(|(stage, place)| {
+        let to_light = stage.to_lamp();
+        let center = (stage.surface.position.as_dvec3() + to_light * place).as_vec3();
+        Stage { blocker: Some(Sphere { center, radius: (0.15 * to_light.length()) as f32 }), ..stage }
+    })
+}
+
+/// With a light of such power that its light has not fallen off there.
+pub fn undimmed(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = Stage> {
+    stages.prop_map(|stage| Stage {
+        lamps: stage.lamps.map(|lamp| lamp.map(|lamp| Lamp { power: 1e9, ..lamp })),
+        ..stage
+    })
+}
+
+fn with_lamp(stage: Stage, to_light: DVec3, color: Color, power: f32) -> Stage {
+    let position = (stage.surface.position.as_dvec3() + to_light).as_vec3();
+    Stage { lamps: [Some(Lamp { position, color, power }), None], ambient: 0.0, ..stage }
 }
 
 fn seen(

@@ -2,7 +2,16 @@
 //!
 //! Which mistakes these are stands in the page of each kit, in a table that is held against the modules here.
 
+mod constant;
+mod falloff;
+mod glass;
+mod lit;
 mod mirror;
+mod phong;
+mod sampler;
+mod soft_shadows;
+mod spoilt;
+mod texture;
 
 use std::fs;
 use std::path::Path;
