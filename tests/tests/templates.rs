@@ -17,20 +17,27 @@ macro_rules! stubs {
 stubs! {
     accelerator = "../../cli/templates/accelerator.rs";
     cuboid = "../../cli/templates/box.rs";
+    constant = "../../cli/templates/constant.rs";
     ellipsoid = "../../cli/templates/ellipsoid.rs";
+    falloff = "../../cli/templates/falloff.rs";
+    glass = "../../cli/templates/glass.rs";
     mirror = "../../cli/templates/mirror.rs";
+    phong = "../../cli/templates/phong.rs";
     plane = "../../cli/templates/plane.rs";
+    sampler = "../../cli/templates/sampler.rs";
+    soft_shadows = "../../cli/templates/soft-shadows.rs";
     sphere = "../../cli/templates/sphere.rs";
+    texture = "../../cli/templates/texture.rs";
     triangle = "../../cli/templates/triangle.rs";
 }
 
-/// The easiest law fails on a stub, whatever the seed, and says that nothing is returned yet and what to do.
+/// The easiest law fails on a stub, whatever the seed, and says that nothing is there yet, and what to do.
 #[track_caller]
 fn begins<Part>(laws: &[Law<Part>], stub: &Part) {
     for seed in 0..3 {
         let broken = laws[0].check(stub, &Trial { cases: 64, seed }).expect_err(laws[0].name);
         let said = broken.usually;
-        assert!(said.starts_with("nothing ") && said.contains(':'), "{}: {said}", broken.law);
+        assert!(said.starts_with("nothing is "), "{}: {said}", broken.law);
     }
 }
 
@@ -42,7 +49,14 @@ fn the_first_law_of_each_kit_tells_a_stub_s_author_what_to_do_first() {
     begins(geometry::conformance::triangle::LAWS, &(triangle::intersect as _));
     begins(geometry::conformance::plane::LAWS, &(plane::intersect as _));
     begins(geometry::conformance::aabb::LAWS, &(cuboid::clip as _));
+    begins(shading::conformance::constant::LAWS, &(constant::shader as _));
+    begins(shading::conformance::phong::LAWS, &(phong::shader as _));
     begins(shading::conformance::mirror::LAWS, &(mirror::shader as _));
+    begins(shading::conformance::glass::LAWS, &(glass::shader as _));
+    begins(shading::conformance::texture::LAWS, &(texture::texture as _));
+    begins(shading::conformance::falloff::LAWS, &(falloff::falloff as _));
+    begins(shading::conformance::soft_shadows::LAWS, &(soft_shadows::cluster as _));
+    begins(render::conformance::sampler::LAWS, &(sampler::sampler as _));
 }
 
 fn workspace() -> PathBuf {

@@ -1,6 +1,7 @@
-use geometry::conformance::{self as kits, Broken, Law, Trial};
+use geometry::conformance::{self as shapes, Broken, Law, Trial};
 use geometry::{Aabb, BoxProbe, Interval, Primitive, Ray};
-use render::Modules;
+use render::{Modules, conformance as pictures};
+use shading::conformance as looks;
 
 use crate::parts::Part;
 
@@ -25,15 +26,24 @@ impl Exam {
 /// The kit of a part, from its easiest law to its hardest.
 pub(crate) fn exams(part: Part) -> Vec<Exam> {
     match part {
-        Part::Sphere => kit(kits::sphere::LAWS, |modules| modules.kernels.sphere.unwrap_or(Primitive::intersect)),
+        Part::Sphere => kit(shapes::sphere::LAWS, |modules| modules.kernels.sphere.unwrap_or(Primitive::intersect)),
         Part::Ellipsoid => {
-            kit(kits::ellipsoid::LAWS, |modules| modules.kernels.ellipsoid.unwrap_or(Primitive::intersect))
+            kit(shapes::ellipsoid::LAWS, |modules| modules.kernels.ellipsoid.unwrap_or(Primitive::intersect))
         }
-        Part::Triangle => kit(kits::triangle::LAWS, |modules| modules.kernels.triangle.unwrap_or(Primitive::intersect)),
-        Part::Plane => kit(kits::plane::LAWS, |modules| modules.kernels.plane.unwrap_or(Primitive::intersect)),
-        Part::Box => kit(kits::aabb::LAWS, |modules| modules.kernels.aabb.unwrap_or(clip)),
+        Part::Triangle => {
+            kit(shapes::triangle::LAWS, |modules| modules.kernels.triangle.unwrap_or(Primitive::intersect))
+        }
+        Part::Plane => kit(shapes::plane::LAWS, |modules| modules.kernels.plane.unwrap_or(Primitive::intersect)),
+        Part::Box => kit(shapes::aabb::LAWS, |modules| modules.kernels.aabb.unwrap_or(clip)),
         Part::Accelerator => kit(accel::conformance::accelerator::LAWS, |modules| modules.accelerator),
-        Part::Mirror => kit(shading::conformance::mirror::LAWS, |modules| modules.shaders.mirror),
+        Part::Constant => kit(looks::constant::LAWS, |modules| modules.shaders.constant),
+        Part::Phong => kit(looks::phong::LAWS, |modules| modules.shaders.phong),
+        Part::Mirror => kit(looks::mirror::LAWS, |modules| modules.shaders.mirror),
+        Part::Glass => kit(looks::glass::LAWS, |modules| modules.shaders.glass),
+        Part::Texture => kit(looks::texture::LAWS, |modules| modules.texture),
+        Part::Falloff => kit(looks::falloff::LAWS, |modules| modules.falloff),
+        Part::SoftShadows => kit(looks::soft_shadows::LAWS, |modules| modules.soft_shadows),
+        Part::Sampler => kit(pictures::sampler::LAWS, |modules| modules.sampler),
         _ => Vec::new(),
     }
 }
