@@ -201,4 +201,13 @@ mod tests {
         // 8 is the root of 2 x 32.
         assert!((at(4.0) - 4.0).abs() < 1e-12, "{}", at(4.0));
     }
+
+    #[test]
+    fn the_example_for_teachers_is_one() {
+        let page = include_str!("../../../TEACHING.md");
+        let (_, after) = page.split_once("```toml\n").unwrap();
+        let points = Points::read("TEACHING.md", after.split("```").next().unwrap()).unwrap();
+        assert_eq!(points.of(Part::Accelerator, "one_primitive_is_found"), 3.0);
+        assert_eq!((points.speed.points, points.speed.full, points.speed.none), (5.0, 2.0, 20.0));
+    }
 }
