@@ -12,10 +12,16 @@ pub mod exact;
 mod figure;
 mod inputs;
 mod law;
+pub mod normal_matrix;
 mod picture;
 pub mod plane;
+pub mod plane_uv;
+pub mod ray_origin;
+pub mod smooth_normal;
 pub mod sphere;
+pub mod sphere_uv;
 pub mod triangle;
+pub mod triangle_uv;
 
 pub use figure::{Figure, Ink};
 pub use inputs::*;

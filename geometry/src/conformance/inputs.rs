@@ -4,6 +4,7 @@
 //! one case.
 
 mod aabb;
+mod cube;
 mod ellipsoid;
 mod mesh;
 mod numbers;
@@ -16,6 +17,7 @@ mod wild;
 use proptest::prelude::*;
 
 pub use aabb::{boxes, drawn_boxes};
+pub(crate) use cube::Cube;
 pub use ellipsoid::{drawn_ellipsoids, ellipsoids, moved_spheres};
 pub use mesh::{Enclosed, closed_meshes, split_octahedron};
 pub(crate) use numbers::{frame, in_plane, slope};
