@@ -26,6 +26,12 @@ stubs! {
     plane = "../../cli/templates/plane.rs";
     sampler = "../../cli/templates/sampler.rs";
     soft_shadows = "../../cli/templates/soft-shadows.rs";
+    plane_uv = "../../cli/templates/plane-uv.rs";
+    sphere_uv = "../../cli/templates/sphere-uv.rs";
+    triangle_uv = "../../cli/templates/triangle-uv.rs";
+    smooth_normal = "../../cli/templates/smooth-normal.rs";
+    normal_matrix = "../../cli/templates/normal-matrix.rs";
+    ray_origin = "../../cli/templates/ray-origin.rs";
     sphere = "../../cli/templates/sphere.rs";
     texture = "../../cli/templates/texture.rs";
     triangle = "../../cli/templates/triangle.rs";
@@ -48,6 +54,12 @@ fn the_first_law_of_each_kit_tells_a_stub_s_author_what_to_do_first() {
     begins(geometry::conformance::ellipsoid::LAWS, &(ellipsoid::intersect as _));
     begins(geometry::conformance::triangle::LAWS, &(triangle::intersect as _));
     begins(geometry::conformance::plane::LAWS, &(plane::intersect as _));
+    begins(geometry::conformance::plane_uv::LAWS, &(plane_uv::uv as _));
+    begins(geometry::conformance::sphere_uv::LAWS, &(sphere_uv::uv as _));
+    begins(geometry::conformance::triangle_uv::LAWS, &(triangle_uv::uv as _));
+    begins(geometry::conformance::smooth_normal::LAWS, &(smooth_normal::normal as _));
+    begins(geometry::conformance::normal_matrix::LAWS, &(normal_matrix::normals as _));
+    begins(geometry::conformance::ray_origin::LAWS, &(ray_origin::origin_towards as _));
     begins(geometry::conformance::aabb::LAWS, &(cuboid::clip as _));
     begins(shading::conformance::constant::LAWS, &(constant::shader as _));
     begins(shading::conformance::phong::LAWS, &(phong::shader as _));

@@ -1,5 +1,5 @@
 use geometry::conformance::{self as shapes, Broken, Law, Trial};
-use geometry::{Aabb, BoxProbe, Interval, Primitive, Ray};
+use geometry::{Aabb, BoxProbe, Interval, Kernels, Plane, Primitive, Ray, Transform};
 use render::{Modules, conformance as pictures};
 use shading::conformance as looks;
 
@@ -35,6 +35,20 @@ pub(crate) fn exams(part: Part) -> Vec<Exam> {
         }
         Part::Plane => kit(shapes::plane::LAWS, |modules| modules.kernels.plane.unwrap_or(Primitive::intersect)),
         Part::Box => kit(shapes::aabb::LAWS, |modules| modules.kernels.aabb.unwrap_or(clip)),
+        Part::SphereUv => kit(shapes::sphere_uv::LAWS, |modules| {
+            modules.kernels.sphere_uv.unwrap_or(|outward| Kernels::default().uv_of_sphere(outward))
+        }),
+        Part::PlaneUv => kit(shapes::plane_uv::LAWS, |modules| modules.kernels.plane_uv.unwrap_or(Plane::uv_at)),
+        Part::TriangleUv => kit(shapes::triangle_uv::LAWS, |modules| {
+            modules.kernels.triangle_uv.unwrap_or(|corners, u, v| Kernels::default().uv_of_triangle(corners, u, v))
+        }),
+        Part::SmoothNormal => kit(shapes::smooth_normal::LAWS, |modules| {
+            modules.kernels.smooth_normal.unwrap_or(|corners, u, v| Kernels::default().normal_between(corners, u, v))
+        }),
+        Part::NormalMatrix => {
+            kit(shapes::normal_matrix::LAWS, |modules| modules.kernels.normal_matrix.unwrap_or(Transform::normals))
+        }
+        Part::RayOrigin => kit(shapes::ray_origin::LAWS, |modules| modules.ray_origin),
         Part::Accelerator => kit(accel::conformance::accelerator::LAWS, |modules| modules.accelerator),
         Part::Constant => kit(looks::constant::LAWS, |modules| modules.shaders.constant),
         Part::Phong => kit(looks::phong::LAWS, |modules| modules.shaders.phong),

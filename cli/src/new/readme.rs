@@ -20,6 +20,7 @@ pub(super) fn readme(part: Part, template: &Template, name: &str) -> String {
 
 fn commands(template: &Template) -> String {
     let Template { module, kit, .. } = template;
+    let doc = format!("cargo doc --open -p {kit}");
     format!(
         "Write it in `src/{module}.rs`; nothing else needs to change.\n\n\
          ```console\n\
@@ -28,7 +29,7 @@ fn commands(template: &Template) -> String {
          $ cargo run --release -- compare marbles       # beside the reference's, with a slider, in one page\n\
          $ cargo run --release -- grade                 # a table of marks, and the time against the reference's\n\
          $ cargo run --release -- --help                # all else\n\
-         $ cargo doc --open -p {kit}\n\
+         $ {doc:<45}# the contract; in `conformance` the kit's own page\n\
          ```\n\n"
     )
 }
