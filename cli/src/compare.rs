@@ -8,7 +8,7 @@ mod summary;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use render::{Film, Modules, render};
+use render::{Film, Modules};
 
 use crate::args::CompareArguments;
 use crate::input::{ReadyScene, SceneSource};
@@ -113,7 +113,7 @@ impl Contest {
 }
 
 fn rendered(ready: &ReadyScene) -> Option<Film> {
-    render(&ready.assembled.scene, &ready.settings, &|_| ControlFlow::Continue(()))
+    ready.assembled.scene.render(&ready.settings, &|_| ControlFlow::Continue(()))
 }
 
 fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {

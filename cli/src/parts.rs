@@ -47,10 +47,14 @@ pub(crate) enum Part {
     Falloff,
     /// The cluster of lights in place of one.
     SoftShadows,
+    /// From a place in the picture to a ray.
+    Camera,
     /// Where samples fall.
     Sampler,
     /// The order of buckets.
     BucketOrder,
+    /// The whole renderer: threads, buckets, film.
+    Renderer,
     /// From text to scene.
     Parser,
 }
@@ -92,8 +96,10 @@ impl Part {
             Self::Texture => !fn_addr_eq(modules.texture, reference.texture),
             Self::Falloff => !fn_addr_eq(modules.falloff, reference.falloff),
             Self::SoftShadows => !fn_addr_eq(modules.soft_shadows, reference.soft_shadows),
+            Self::Camera => !fn_addr_eq(modules.camera, reference.camera),
             Self::Sampler => !fn_addr_eq(modules.sampler, reference.sampler),
             Self::BucketOrder => !fn_addr_eq(modules.bucket_order, reference.bucket_order),
+            Self::Renderer => !fn_addr_eq(modules.render, reference.render),
             Self::Parser => !fn_addr_eq(modules.parse, reference.parse),
         }
     }
@@ -123,8 +129,10 @@ impl Part {
             Self::Texture => Modules { texture: reference.texture, ..modules },
             Self::Falloff => Modules { falloff: reference.falloff, ..modules },
             Self::SoftShadows => Modules { soft_shadows: reference.soft_shadows, ..modules },
+            Self::Camera => Modules { camera: reference.camera, ..modules },
             Self::Sampler => Modules { sampler: reference.sampler, ..modules },
             Self::BucketOrder => Modules { bucket_order: reference.bucket_order, ..modules },
+            Self::Renderer => Modules { render: reference.render, ..modules },
             Self::Parser => Modules { parse: reference.parse, ..modules },
         }
     }
@@ -189,7 +197,9 @@ mod tests {
             texture: |_| std::sync::Arc::new(Color::grey(0.5)),
             falloff: |_, _| 0.5,
             soft_shadows: |_, _| Vec::new(),
+            camera: |_| None,
             sampler: render::random,
+            render: render::one_by_one,
             bucket_order: |_, _, _| Vec::new(),
             ..Modules::default()
         }

@@ -57,8 +57,11 @@ pub(crate) fn exams(part: Part) -> Vec<Exam> {
         Part::Texture => kit(looks::texture::LAWS, |modules| modules.texture),
         Part::Falloff => kit(looks::falloff::LAWS, |modules| modules.falloff),
         Part::SoftShadows => kit(looks::soft_shadows::LAWS, |modules| modules.soft_shadows),
+        Part::Camera => kit(pictures::camera::LAWS, |modules| modules.camera),
         Part::Sampler => kit(pictures::sampler::LAWS, |modules| modules.sampler),
-        _ => Vec::new(),
+        Part::BucketOrder => kit(pictures::bucket_order::LAWS, |modules| modules.bucket_order),
+        Part::Renderer => kit(pictures::renderer::LAWS, |modules| modules.render),
+        Part::Parser => kit(scene_format::conformance::parser::LAWS, |modules| modules.parse),
     }
 }
 

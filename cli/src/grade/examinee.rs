@@ -3,7 +3,7 @@ use std::panic;
 use std::time::{Duration, Instant};
 
 use geometry::conformance::Trial;
-use render::{Film, Modules, Settings, render};
+use render::{Film, Modules, Settings};
 use serde_json::{Value, json};
 
 use super::{Answer, exams};
@@ -54,8 +54,8 @@ fn picture(source: &SceneSource, modules: Modules) -> Result<Film, Failure> {
     let text = source.parse(&modules);
     let ready = source.assemble(&text, &RenderOptions::default(), modules, Show::Errors)?;
     let settings = Settings { size: SIZE, aa: 0, samples: 1, ..ready.settings };
-    render(&ready.assembled.scene, &settings, &|_| ControlFlow::Continue(()))
-        .ok_or_else(|| Failure::new("the rendering was broken off"))
+    let scene = &ready.assembled.scene;
+    scene.render(&settings, &|_| ControlFlow::Continue(())).ok_or_else(|| Failure::new("the rendering was broken off"))
 }
 
 /// Works in a thread with a stack as small as a test's, so that a part that passes here passes there.

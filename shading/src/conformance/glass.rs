@@ -44,7 +44,7 @@
 //! | lit like a matt surface as well | [`glass_does_not_depend_on_lights`] |
 //! | glass that shadows | [`glass_casts_no_shadow`] |
 
-use geometry::conformance::{Trial, Verdict, magnitude, same};
+use geometry::conformance::{Trial, Verdict, same};
 use glam::DVec3;
 use proptest::prelude::*;
 

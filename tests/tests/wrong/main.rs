@@ -2,12 +2,16 @@
 //!
 //! Which mistakes these are stands in the page of each kit, in a table that is held against the modules here.
 
+mod bucket_order;
+mod camera;
 mod constant;
 mod falloff;
 mod glass;
 mod lit;
 mod mirror;
+mod parser;
 mod phong;
+mod renderer;
 mod sampler;
 mod soft_shadows;
 mod spoilt;
