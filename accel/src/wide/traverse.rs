@@ -69,7 +69,8 @@ impl<I: Isa> Bound<I> {
         // Of one or of two: which it is cannot be foreseen, so both go the same way.
         let (first, last) = (met.trailing_zeros() as usize & 7, met.ilog2() as usize & 7);
         if met == 1 << first | 1 << last {
-            let (one, other) = (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
+            let (one, other) =
+                (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
             let is_swapped = distances[last].to_bits() < distances[first].to_bits();
             stack.push(if is_swapped { one } else { other });
             let near = if is_swapped { node.links[last] } else { node.links[first] };
