@@ -28,7 +28,7 @@ pub(super) fn nothing_ahead() -> impl Strategy<Value = Asked> {
 /// Up to 150 small spheres that stand side by side, seen along the rays: through each runs a ray that meets no other one.
 pub(super) fn each_of_many() -> impl Strategy<Value = Asked> {
     let depths = prop::collection::vec(-4.0_f32..4.0, 2..150);
-    (depths, [0.2_f32..0.5, 0.2_f32..0.5]).prop_map(|(depths, [x, y])| {
+    (depths, [0.2_f32..0.5, 0.2_f32..0.5], -0.22_f32..0.22).prop_map(|(depths, [x, y], off)| {
         let direction = Vec3::new(x, y, 1.0).normalize();
         let columns = (depths.len() as f32).sqrt().ceil() as usize;
         let middle = |(number, &depth): (usize, &f32)| {
@@ -36,7 +36,9 @@ pub(super) fn each_of_many() -> impl Strategy<Value = Asked> {
         };
         let middles: Vec<Vec3> = depths.iter().enumerate().map(middle).collect();
         let things = middles.iter().map(|&middle| Thing::Sphere(middle, 0.25)).collect();
-        ahead(things, middles.into_iter().map(|middle| Ray::new(middle - 20.0 * direction, direction)))
+        // Past the middle, through cells that the sphere touches alone.
+        let start = off * direction.any_orthonormal_vector() - 20.0 * direction;
+        ahead(things, middles.into_iter().map(|middle| Ray::new(middle + start, direction)))
     })
 }
 
