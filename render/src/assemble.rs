@@ -6,6 +6,7 @@ mod curved;
 mod files;
 mod lights;
 mod objects;
+mod picture;
 mod placement;
 mod shaders;
 mod spectrum;
@@ -77,6 +78,7 @@ pub fn assemble(
         geometries: BTreeMap::new(),
         diagnostics: Vec::new(),
         camera: None,
+        camera_span: Span::default(),
         bounded: Primitives::default().with_kernels(modules.kernels),
         planes: Vec::new(),
         shader_of_bounded: Vec::new(),
@@ -86,6 +88,7 @@ pub fn assemble(
         // Sunflow's default depths.
         bounces: Bounces::of_camera_ray(4, 4),
     };
+    parts.shaders.expect(file);
     parts.read(file);
     parts.finish(lighting, Settings::of(file))
 }
@@ -119,6 +122,8 @@ struct Parts<'a> {
     geometries: BTreeMap<&'a str, &'a Spanned<Shape>>,
     diagnostics: Vec<Diagnostic>,
     camera: Option<Box<dyn Camera>>,
+    /// Where the camera stands in the source.
+    camera_span: Span,
     bounded: Primitives,
     planes: Vec<Plane>,
     shader_of_bounded: Vec<u32>,
@@ -132,7 +137,7 @@ impl<'a> Parts<'a> {
     fn read(&mut self, file: &'a SceneFile) {
         for statement in &file.statements {
             match &statement.value {
-                Statement::Camera(camera) => self.set_camera(camera),
+                Statement::Camera(camera) => self.set_camera(camera, statement.span),
                 Statement::Shader(shader) if self.is_new(Some(&shader.name)) => self.shaders.declare(shader),
                 Statement::Object(object) if self.is_new(object.name.as_ref()) => self.add_object(object),
                 Statement::Instance(instance) if self.is_new(instance.name.as_ref()) => self.add_instance(instance),
@@ -178,10 +183,18 @@ impl<'a> Parts<'a> {
         self.bounces = Bounces::of_camera_ray(reflections.min(MOST_BOUNCES), refractions.min(MOST_BOUNCES));
     }
 
-    fn set_camera(&mut self, camera: &scene_file::Camera) {
-        match camera::camera(camera) {
+    /// Takes a camera; of several the last one, as Sunflow does.
+    fn set_camera(&mut self, camera: &scene_file::Camera, span: Span) {
+        match camera::camera(camera, self.modules) {
             Ok(None) => {}
-            Ok(camera) => self.camera = camera,
+            Ok(Some(camera)) => {
+                if self.camera.replace(camera).is_some() {
+                    let message = "this camera is not used: a later one takes its place";
+                    let warning = Diagnostic::warning(Code::Ignored, self.camera_span, message);
+                    self.diagnostics.push(warning.note(span, "the later one"));
+                }
+                self.camera_span = span;
+            }
             Err(diagnostic) => self.diagnostics.push(diagnostic),
         }
     }
@@ -238,6 +251,7 @@ impl<'a> Parts<'a> {
             ray_origin: self.modules.ray_origin,
             sampler: self.modules.sampler,
             bucket_order: self.modules.bucket_order,
+            renderer: self.modules.render,
         };
         Ok(Assembled { scene, settings, warnings: self.diagnostics, shading })
     }

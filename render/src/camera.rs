@@ -63,7 +63,7 @@ impl Frame {
 ///
 /// A direction is right to its rounding to `f32`: an angle of 0.87 u (u = 2^-24, half an ulp in each coordinate), wherever the
 /// eye stands. That is 9e-5 of a pixel where a thousand of them see 40 to 90 degrees, and grows as the angle of view shrinks: at
-/// 0.01 degrees to a third of a pixel. (`tests/laws/camera.rs`)
+/// 0.01 degrees to a third of a pixel. (`conformance::camera`)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pinhole {
     /// Where it stands and what it sees.

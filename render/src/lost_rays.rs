@@ -36,13 +36,14 @@ impl LostRays {
     }
 
     /// Those of both.
-    pub(crate) fn append(&mut self, other: Self) {
+    pub fn append(&mut self, other: Self) {
         self.count += other.count;
         self.pixels.extend(other.pixels);
     }
 
     /// In order, whatever order they were rendered in, without the pixels outside a window.
-    pub(crate) fn in_window(mut self, window: Crop) -> Self {
+    #[must_use]
+    pub fn in_window(mut self, window: Crop) -> Self {
         self.pixels.retain(|&pixel| window.contains(pixel));
         self.pixels.sort_unstable_by_key(|&[x, y]| [y, x]);
         self.pixels.dedup();

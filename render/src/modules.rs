@@ -2,13 +2,13 @@ use std::sync::Arc;
 
 use accel::Accelerator;
 use geometry::{Kernels, Primitives, RayOrigin, Surface};
-use scene_format::{Files, Limits, Parsed, scene_file::BucketOrder};
+use scene_format::{Files, Limits, Parsed};
 use shading::{
     Absorption, Color, Constant, Falloff, Glass, ImageTexture, Mirror, Phong, PointLight, Shader, SoftShadows, Texture,
     sunflow,
 };
 
-use crate::{Dialect, Sampler, Tile, bucket_order, centred, sobol};
+use crate::{BucketOrdering, Camera, Dialect, Renderer, Sampler, View, bucket_order, camera, centred, render, sobol};
 
 /// The parts of the renderer, each a plain function that can be replaced alone:
 ///
@@ -30,6 +30,8 @@ pub struct Modules {
     pub accelerator: fn(Primitives) -> Box<dyn Accelerator>,
     /// Make the shaders.
     pub shaders: Shaders,
+    /// Makes the camera of what the scene says of it; `None` where that defines no view.
+    pub camera: fn(&View) -> Option<Box<dyn Camera>>,
     /// Makes a texture of a picture's texels.
     pub texture: fn(ImageTexture) -> Arc<dyn Texture>,
     /// How a light's light falls off with the distance.
@@ -38,8 +40,10 @@ pub struct Modules {
     pub soft_shadows: fn(PointLight, SoftShadows) -> Vec<PointLight>,
     /// Where samples fall.
     pub sampler: Sampler,
-    /// The order in which buckets are rendered, from the number of columns and rows; each bucket exactly once.
-    pub bucket_order: fn(BucketOrder, u32, u32) -> Vec<Tile>,
+    /// The order in which buckets are rendered.
+    pub bucket_order: BucketOrdering,
+    /// Renders the whole picture.
+    pub render: Renderer,
     /// How the scene's words are meant.
     pub dialect: Dialect,
 }
@@ -94,11 +98,13 @@ impl Default for Modules {
             ray_origin: Surface::origin_towards,
             accelerator: accel::wide,
             shaders: Shaders::default(),
+            camera,
             texture: |picture| Arc::new(picture),
             falloff: shading::linear_falloff,
             soft_shadows: shading::light_cluster,
             sampler: sobol,
             bucket_order,
+            render,
             dialect: Dialect::default(),
         }
     }

@@ -58,7 +58,7 @@ impl<'a> Passes<'a> {
         planned: usize,
     ) -> Self {
         let threads = ThreadPoolBuilder::new().num_threads(settings.threads.map_or(0, usize::from)).build().ok();
-        Self { scene, settings, on_bucket, threads, tiles: ordered_tiles(scene, settings), planned, done: 0 }
+        Self { scene, settings, on_bucket, threads, tiles: scene.tiles(settings), planned, done: 0 }
     }
 
     /// Renders each pixel of `area`, which is the settings' window or reaches beyond it, and tells the colours of those in the window. `None`
@@ -130,14 +130,4 @@ fn bucket_of<P: Plan>(area: Crop, plan: &P, camera_rays: &mut CameraRays<'_>) ->
     });
     camera_rays.tell(&mut add);
     made
-}
-
-fn ordered_tiles(scene: &Scene, settings: &Settings) -> Vec<Tile> {
-    let (buckets, window) = (settings.buckets, settings.window());
-    let count = |pixels: u32| pixels.div_ceil(buckets.size);
-    let mut tiles = (scene.bucket_order)(buckets.order, count(window.width), count(window.height));
-    if buckets.reversed {
-        tiles.reverse();
-    }
-    tiles
 }

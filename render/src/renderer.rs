@@ -20,6 +20,10 @@ pub struct FinishedBucket<'a> {
     pub total: usize,
 }
 
+/// Renders a scene as the settings say, and tells of each bucket when it is done; `None` if it is told to break off. The references are
+/// [`render`] and, plain and slow, [`crate::one_by_one`].
+pub type Renderer = fn(&Scene, &Settings, &(dyn Fn(&FinishedBucket<'_>) -> ControlFlow<()> + Sync)) -> Option<Film>;
+
 /// Renders a scene. `on_bucket` is called after each bucket, one call at a time, from whichever thread has done it; when it
 /// breaks off, the buckets under way are finished, no others are begun, and there is no picture.
 ///
@@ -52,8 +56,8 @@ pub fn render(
 ///   |.  |  .|
 ///   +---+---+
 /// ```
-struct Even<'a> {
-    settings: &'a Settings,
+pub(crate) struct Even<'a> {
+    pub(crate) settings: &'a Settings,
 }
 
 impl Plan for Even<'_> {

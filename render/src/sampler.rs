@@ -1,7 +1,5 @@
 use glam::DVec2;
 
-#[cfg(test)]
-mod laws;
 mod random;
 mod sobol;
 

@@ -1,11 +1,11 @@
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use accel::Accelerator;
 use geometry::{Hit, Interval, Plane, Primitive, Primitives, Ray, RayOrigin, Surface};
 use glam::Vec2;
 use shading::{Bounces, Color, PointLight, Shader};
 
-use crate::{Camera, Raster, Sampler, Tile};
+use crate::{BucketOrdering, Camera, Film, FinishedBucket, Raster, Renderer, Sampler, Settings, Tile};
 
 /// Everything a picture needs, ready to be asked. Made by [`crate::assemble`].
 ///
@@ -34,10 +34,31 @@ pub struct Scene {
     pub(crate) bounces: Bounces,
     pub(crate) ray_origin: RayOrigin,
     pub(crate) sampler: Sampler,
-    pub(crate) bucket_order: fn(scene_format::scene_file::BucketOrder, u32, u32) -> Vec<Tile>,
+    pub(crate) bucket_order: BucketOrdering,
+    pub(crate) renderer: Renderer,
 }
 
 impl Scene {
+    /// Renders it, with the renderer that [`crate::Modules`] named.
+    pub fn render(
+        &self,
+        settings: &Settings,
+        on_bucket: &(dyn Fn(&FinishedBucket<'_>) -> ControlFlow<()> + Sync),
+    ) -> Option<Film> {
+        (self.renderer)(self, settings, on_bucket)
+    }
+
+    /// The buckets of a picture, in the order in which they are to be taken.
+    pub fn tiles(&self, settings: &Settings) -> Vec<Tile> {
+        let (buckets, window) = (settings.buckets, settings.window());
+        let count = |pixels: u32| pixels.div_ceil(buckets.size);
+        let mut tiles = (self.bucket_order)(buckets.order, count(window.width), count(window.height));
+        if buckets.reversed {
+            tiles.reverse();
+        }
+        tiles
+    }
+
     /// The camera.
     pub fn camera(&self) -> &dyn Camera {
         &*self.camera

@@ -60,7 +60,7 @@ pub struct Crop {
 
 impl Crop {
     /// Its pixels, row by row from the top.
-    pub(crate) fn pixels(self) -> impl Iterator<Item = [u32; 2]> {
+    pub fn pixels(self) -> impl Iterator<Item = [u32; 2]> {
         let rows = self.y..self.y + self.height;
         rows.flat_map(move |y| (self.x..self.x + self.width).map(move |x| [x, y]))
     }
@@ -85,13 +85,13 @@ impl Crop {
     }
 
     /// Whether a pixel belongs to it.
-    pub(crate) fn contains(self, [x, y]: [u32; 2]) -> bool {
+    pub fn contains(self, [x, y]: [u32; 2]) -> bool {
         let within = |at: u32, start: u32, length: u32| at >= start && at - start < length;
         within(x, self.x, self.width) && within(y, self.y, self.height)
     }
 
-    /// Where one of its pixels stands among them.
-    pub(crate) fn index(self, [x, y]: [u32; 2]) -> usize {
+    /// Where one of its pixels stands among them, row by row from the top.
+    pub fn index(self, [x, y]: [u32; 2]) -> usize {
         (y - self.y) as usize * self.width as usize + (x - self.x) as usize
     }
 

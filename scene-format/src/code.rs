@@ -36,6 +36,8 @@ pub enum Code {
     Contradiction,
     /// A file without a statement.
     EmptyFile,
+    /// A quote that is not closed in its line.
+    UnclosedQuote,
     /// A word where a number is due.
     NotANumber,
     /// A number that is not finite.
@@ -113,7 +115,7 @@ const EXPLANATIONS: &str = include_str!("../DIAGNOSTICS.md");
 
 impl Code {
     /// All codes, in order.
-    pub const ALL: [Self; 51] = [
+    pub const ALL: [Self; 52] = [
         Self::UnknownStatement,
         Self::StrayBrace,
         Self::MissingBlock,
@@ -130,6 +132,7 @@ impl Code {
         Self::Expected,
         Self::Contradiction,
         Self::EmptyFile,
+        Self::UnclosedQuote,
         Self::NotANumber,
         Self::NotFinite,
         Self::OutOfRange,
@@ -186,6 +189,7 @@ impl Code {
             Self::Expected => "SC114",
             Self::Contradiction => "SC115",
             Self::EmptyFile => "SC116",
+            Self::UnclosedQuote => "SC117",
             Self::NotANumber => "SC201",
             Self::NotFinite => "SC202",
             Self::OutOfRange => "SC203",

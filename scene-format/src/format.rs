@@ -85,7 +85,10 @@ impl<'s> Layout<'s> {
             match begins {
                 Some(Mark::Statement | Mark::Field | Mark::BlockEnd) => self.new_line(start, 0),
                 Some(Mark::Row) => self.new_line(start, 1),
-                _ if self.keeps_lines && self.newlines_before(start) > 0 => self.new_line(start, 0),
+                // Behind a comment that ends its line, too: the next time they would be in a line of their own.
+                _ if self.keeps_lines && (self.newlines_before(start) > 0 || self.line_is_full) => {
+                    self.new_line(start, 0);
+                }
                 _ => self.space(start),
             }
         }

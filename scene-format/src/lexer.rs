@@ -2,8 +2,8 @@
 //!
 //! Words stand between white space; a `"` begins and ends a word that may hold spaces; `%` or `#` at the start of a word
 //! drops the rest of the line; the words `/*` and `*/` enclose a comment. Sunflow knows these marks and braces as words of their own only;
-//! here a brace that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces,
-//! and `/*word` begins a comment that ends with the next `*/` of any kind.
+//! here a brace that is glued to a word, as in `shader{` or `0.5}`, is cut off, unless the word looks like a name in braces, as
+//! `{id}` or `a{b}` do, and `/*word` begins a comment that ends with the next `*/` of any kind.
 
 use crate::number::Number;
 use crate::span::{FileId, Span};
@@ -24,6 +24,11 @@ impl Token<'_> {
 
     pub(crate) fn is_close(&self) -> bool {
         self.text == "}"
+    }
+
+    /// Whether it begins with a quote that its line ended: the place holds one mark, and not two.
+    pub(crate) fn is_quote_without_end(&self) -> bool {
+        (self.span.end - self.span.start) as usize == self.text.len() + 1
     }
 }
 
@@ -182,14 +187,18 @@ impl<'s> Lexer<'s> {
         }
         let word = self.text(start, end);
         let braces = ['{', '}'];
+        // `object{shader`, `1}object`; but `a{b}` and `{name}` are names in Sunflow, and stay so.
+        let is_glued = || word.len() <= LONGEST_GLUED && !is_balanced(word);
         if brace_first {
             let rest = word.get(1..).unwrap_or_default();
-            // `{name}` is a name in Sunflow, and stays one; `{0.5}` never is.
-            let glued = !rest.contains(braces) || is_number(rest.trim_end_matches(braces));
-            if glued { start + 1 } else { end }
-        } else {
-            let stem = word.trim_end_matches(braces);
-            if stem.contains(braces) { end } else { start + stem.len() }
+            let cut = !rest.contains(braces) || is_number(rest.trim_end_matches(braces)) || is_glued();
+            return if cut { start + 1 } else { end };
+        }
+        let stem = word.trim_end_matches(braces);
+        match stem.find(braces) {
+            None => start + stem.len(),
+            Some(first) if is_glued() => start + first,
+            Some(_) => end,
         }
     }
 
@@ -294,6 +303,20 @@ fn is_plain_blank(byte: &u8) -> bool {
     matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
 }
 
+/// Words of more bytes are not cut at a brace in their middle: each piece takes a look at all that is left of the word, so a million
+/// of them would take their square in time.
+const LONGEST_GLUED: usize = 80;
+
+/// Whether every brace of a word has another that answers to it.
+fn is_balanced(word: &str) -> bool {
+    let open = word.bytes().try_fold(0usize, |open, byte| match byte {
+        b'{' => Some(open + 1),
+        b'}' => open.checked_sub(1),
+        _ => Some(open),
+    });
+    open == Some(0)
+}
+
 fn is_brace(byte: u8) -> bool {
     byte == b'{' || byte == b'}'
 }
@@ -365,6 +388,13 @@ mod tests {
     #[test]
     fn a_name_in_braces_stays_whole() {
         assert_eq!(words("{374CF8A3-C899} a{b}"), ["{374CF8A3-C899}", "a{b}"]);
+    }
+
+    #[test]
+    fn a_brace_in_the_middle_of_a_word_cuts_it_where_no_other_answers_to_it() {
+        assert_eq!(words("object{shader r}light{type"), ["object", "{", "shader", "r", "}", "light", "{", "type"]);
+        let long = format!("{}{{x", "a".repeat(LONGEST_GLUED));
+        assert_eq!(words(&long), [long.as_str()]);
     }
 
     #[test]

@@ -10,6 +10,8 @@
 //! unit; a [`Span`] counts bytes.
 
 mod code;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 mod decode;
 mod diagnostic;
 mod files;

@@ -1,10 +1,11 @@
 //! Meshes from other files than scenes: OBJ, STL, PLY and Sunflow's own `.ra3`.
 //!
-//! The readers are our own: four short files that give a line with each error, never trust a count, and keep to the caller's
+//! The readers are our own: a few short files that give a line with each error, never trust a count, and keep to the caller's
 //! [`Limits`]; the libraries for these formats allocate what a header announces.
 
 mod obj;
 mod ply;
+mod polygon;
 mod ra3;
 mod smooth;
 mod stl;

@@ -161,12 +161,7 @@ impl<'s> Parser<'s> {
                 Err(Reported) => self.skip_statement(),
             }
         }
-        if let Some(comment) = self.cursor.unclosed_comment() {
-            let warning = Diagnostic::warning(Code::UnclosedComment, comment, "this comment is never closed")
-                .label("takes the rest of the file")
-                .help("end it with `*/`, with white space on both sides");
-            self.context.report(warning);
-        }
+        self.warn_of_unclosed_marks();
         if empty {
             let message = "the file has no statement";
             self.context.report(match if_empty {
@@ -175,6 +170,21 @@ impl<'s> Parser<'s> {
             });
         }
         scene
+    }
+
+    fn warn_of_unclosed_marks(&mut self) {
+        for quote in self.cursor.unclosed_quotes() {
+            let warning = Diagnostic::warning(Code::UnclosedQuote, *quote, "this quote is not closed in its line")
+                .label("one name, up to the end of the line")
+                .help("put a `\"` behind the name, or remove the first one: only names with spaces need any");
+            self.context.report(warning);
+        }
+        if let Some(comment) = self.cursor.unclosed_comment() {
+            let warning = Diagnostic::warning(Code::UnclosedComment, comment, "this comment is never closed")
+                .label("takes the rest of the file")
+                .help("end it with `*/`, with white space on both sides");
+            self.context.report(warning);
+        }
     }
 
     /// Reads one statement; `None` when there was nothing worth keeping.

@@ -6,11 +6,12 @@ mod shader;
 mod unrendered;
 mod words;
 
+use crate::format;
 use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, TraceDepths, View};
 use crate::scene_file::{SceneFile, Statement};
 use words::{Writer, color, floats, number, quote};
 
-/// The text of a scene. Reading it gives the same scene again, every bit of every number included.
+/// The text of a scene, in the style of [`format()`]. Reading it gives the same scene again, every bit of every number included.
 ///
 /// An include is written as its statement alone. What the format cannot say is written as near to it as can be: it has no
 /// way to write a `"` or a line break within a word, nor the words `{` and `}` as names, nor numbers that are not finite.
@@ -19,7 +20,9 @@ pub fn print(scene: &SceneFile) -> String {
     for statement in &scene.statements {
         write_statement(&mut writer, &statement.value);
     }
-    writer.into_text()
+    let text = writer.into_text();
+    // A scene that a program made may hold what is an error to read: it stays as it is.
+    format(&text).unwrap_or(text)
 }
 
 fn write_statement(writer: &mut Writer, statement: &Statement) {

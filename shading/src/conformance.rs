@@ -1,10 +1,29 @@
-//! Inputs for property tests of optics and lights, with the cases that break naive formulas made common.
+//! The kits of what colours a hit, and their inputs: optics and lights, with the cases that break naive formulas made common.
 //!
-//! As [`geometry::conformance`], whose numbers and vectors these are made of.
+//! A kit is a module with a list `LAWS`, from the easiest law to the hardest; its macro names each as a test of a part of your own:
+//! `shading::mirror_conformance!(my_mirror);`. A shader is held against formulas in `f64`, on a [`Stage`]: a point, a few lights and something in
+//! their way. [`geometry::conformance`] tells what a law is, and has the numbers and vectors that the inputs are made of.
+
+pub mod constant;
+pub mod falloff;
+pub mod glass;
+mod lit;
+pub mod mirror;
+pub mod phong;
+pub mod soft_shadows;
+mod stage;
+mod stages;
+pub mod texture;
 
 use geometry::conformance::{magnitude, unit_vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
+
+pub use stage::{Lamp, Shown, Stage, sky};
+pub use stages::{
+    blocked_at, from_inside, from_outside, lamps, leaning, lit, lit_from_behind, lit_through_the_surface,
+    mirrored_through, stages, straight, undimmed,
+};
 
 use crate::{Absorption, Color};
 
@@ -51,6 +70,12 @@ pub fn lit_from() -> impl Strategy<Value = (f32, f32)> {
         Just(0.0),
     ];
     (power, apart).prop_map(|(power, apart)| ((power * (1.0 + apart)) as f32, power as f32))
+}
+
+/// Colours: channels from 0 to 1, often these.
+pub fn colors() -> impl Strategy<Value = Color> {
+    let channel = || prop_oneof![1 => Just(0.0_f32), 1 => Just(1.0), 4 => 0.0_f32..1.0];
+    [channel(), channel(), channel()].prop_map(Color::from)
 }
 
 /// What glass absorbs, and a way through it: from a millionth of the distance that it is given for to a hundred of these.

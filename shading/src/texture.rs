@@ -41,12 +41,15 @@ impl ImageTexture {
     }
 
     /// The width and height in texels, each at least 1.
-    pub(crate) fn size(&self) -> [usize; 2] {
+    pub fn size(&self) -> [usize; 2] {
         [self.width, self.height]
     }
 
-    /// A texel as the file has it; rows count from the top.
-    pub(crate) fn texel_bytes(&self, column: usize, row: usize) -> [u8; 3] {
+    /// A texel as the file has it, 8-bit sRGB; columns count from the left, rows from the top.
+    ///
+    /// # Panics
+    /// If there is no such column or row.
+    pub fn texel_bytes(&self, column: usize, row: usize) -> [u8; 3] {
         self.texels[row * self.width + column]
     }
 

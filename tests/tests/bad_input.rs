@@ -148,8 +148,20 @@ fn a_word_where_a_number_is_due() {
 }
 
 #[test]
+fn a_shader_behind_the_object_that_names_it() {
+    insta::assert_snapshot!(rendered(
+        "object { shader red type sphere c 0 0 0 r 1 }\nshader { name red type constant color 1 0 0 }"
+    ));
+}
+
+#[test]
+fn two_cameras() {
+    insta::assert_snapshot!(rendered(CAMERA));
+}
+
+#[test]
 fn a_singular_transform() {
-    insta::assert_snapshot!(refused("object { shader white transform { scale 1 0 1 } type sphere }"));
+    insta::assert_snapshot!(rendered("object { shader white transform { scale 1 0 1 } type sphere }"));
 }
 
 #[test]
@@ -174,7 +186,7 @@ fn a_triangle_index_out_of_range() {
 #[test]
 fn a_picture_of_no_size() {
     let folder = folder().with("scene.sc", format!("image {{ resolution 0 6 }}\n{CAMERA}\n"));
-    insta::assert_snapshot!(told(&folder, &["render", "scene.sc"]));
+    insta::assert_snapshot!(told_making(&folder, &["render", "scene.sc"], &["scene.png"]));
 }
 
 #[test]

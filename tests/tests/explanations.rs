@@ -42,6 +42,20 @@ fn the_wrong_example_of_a_code_gives_it() {
     }
 }
 
+/// All texts in one place, to be read over: each message as people see it.
+#[test]
+fn what_is_said_of_each_wrong_example() {
+    let mut texts = String::new();
+    for code in Code::ALL {
+        let folder = Folder::for_program(PROGRAM).with("scene.sc", code.example("wrong").unwrap_or_default());
+        let lighting = if code == Code::GlossNotRendered { "sunflow" } else { "report" };
+        let ended = folder.run(&["render", "scene.sc", "--size", "4x3", "--lighting", lighting]);
+        let said = ended.stderr.lines().filter(|line| !line.contains(" pixels in ")).map(|line| format!("{line}\n"));
+        texts += &format!("## {code}: exit code {}\n\n{}\n", ended.code.unwrap_or(-1), said.collect::<String>());
+    }
+    insta::assert_snapshot!(texts.replace("girasol-under-test", "girasol"));
+}
+
 #[test]
 fn the_right_example_of_a_code_gives_nothing() {
     for code in Code::ALL {

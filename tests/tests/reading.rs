@@ -131,9 +131,35 @@ fn objects_cover_what_their_shape_says() {
     assert!(alone("type particles points 2 -2 0 0 2 0 0 num 1 radius 1") < two);
     let teapot = alone("transform { scaleu 0.02 translate 0 0 -1 } type teapot");
     assert!((200..320).contains(&teapot), "{teapot}");
+    // Catmull's elephant is 24 long and 20 high, and about half of that rectangle is elephant.
+    let gumbo = alone("transform { translate -12 -7 -10 scaleu 0.2 } type gumbo");
+    assert!((250..600).contains(&gumbo), "{gumbo}");
     let patch = "type bezier-mesh n 4 4 points -1 0 -1 -.3 0 -1 .3 0 -1 1 0 -1 -1 0 -.3 -.3 0 -.3 .3 0 -.3 1 0 -.3 \
         -1 0 .3 -.3 0 .3 .3 0 .3 1 0 .3 -1 0 1 -.3 0 1 .3 0 1 1 0 1 subdivs 2";
     assert_eq!(alone(patch), 144);
+}
+
+#[test]
+fn an_object_without_extent_is_left_out_and_the_rest_is_rendered() {
+    // As Sunflow does: a transform without inverse drops its object. Beside each stands a sphere that stays.
+    let said = |object: &str| {
+        let text = format!(
+            "{CAMERA} {WHITE} object {{ shader white {object} }} object {{ shader white type sphere c 0 0 0 r -1 }}"
+        );
+        let modules = Modules::default();
+        let parsed = (modules.parse)("scene.sc", &text, &MemoryFiles::default(), &Limits::default());
+        let assembled =
+            render::assemble(&parsed.scene, &modules, &render::Lighting::default(), &MemoryFiles::default());
+        let assembled = assembled.unwrap_or_else(|errors| panic!("{errors:?}"));
+        let inventory = assembled.scene.inventory(&assembled.settings);
+        assert_eq!(inventory.bounded.spheres + inventory.bounded.ellipsoids, 1, "{object}");
+        assembled.warnings.iter().map(|said| said.code.as_str()).collect::<Vec<_>>()
+    };
+    assert_eq!(said("transform { scaleu 0 } type sphere"), ["SC308"]);
+    assert_eq!(said("transform { scale 1 0 1 } type box"), ["SC308"]);
+    assert_eq!(said("type sphere c 0 0 0 r 0"), ["SC312"]);
+    // Turned inside out, a sphere covers the same pixels.
+    assert_eq!(alone("type sphere c 0 0 0 r -1"), alone("type sphere c 0 0 0 r 1"));
 }
 
 #[test]

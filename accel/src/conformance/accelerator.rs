@@ -152,34 +152,34 @@ pub fn the_kernels_of_the_primitives_decide(part: &Part, trial: &Trial) -> Verdi
         }),
         ..Kernels::default()
     };
-    trial.search(scenes::everything(), |asked| everything(part, asked, asked.primitives().with_kernels(kernels)))
+    trial.search(scenes::everything(), |asked| everything(part, asked, &asked.primitives().with_kernels(kernels)))
 }
 
 /// All kinds of things, rays and intervals, bit for bit.
 pub fn every_ray_finds_what_asking_every_primitive_finds(part: &Part, trial: &Trial) -> Verdict {
-    trial.times(4).search(scenes::everything(), |asked| everything(part, asked, asked.primitives()))
+    trial.times(4).search(scenes::everything(), |asked| everything(part, asked, &asked.primitives()))
 }
 
 /// Bundles as a camera's or a light's, that packets take together; more than two packets, and not a whole number of them.
 pub fn bundles_of_rays_find_what_asking_every_primitive_finds(part: &Part, trial: &Trial) -> Verdict {
-    trial.times(4).search(scenes::bundles(), |asked| everything(part, asked, asked.primitives()))
+    trial.times(4).search(scenes::bundles(), |asked| everything(part, asked, &asked.primitives()))
 }
 
 /// Triangles of any size and shape.
 pub fn slivers_giants_and_dust_are_found(part: &Part, trial: &Trial) -> Verdict {
-    trial.times(4).search(scenes::slivers_giants_and_dust(), |asked| everything(part, asked, asked.primitives()))
+    trial.times(4).search(scenes::slivers_giants_and_dust(), |asked| everything(part, asked, &asked.primitives()))
 }
 
 /// Every ray is aimed at a corner, an edge or a triangle of a closed mesh around it.
 pub fn no_ray_leaves_a_closed_mesh(part: &Part, trial: &Trial) -> Verdict {
     let few = Trial { cases: trial.cases.div_ceil(4), ..*trial };
-    few.search(scenes::inside_closed_meshes(), |asked| everything(part, asked, asked.primitives()))
+    few.search(scenes::inside_closed_meshes(), |asked| everything(part, asked, &asked.primitives()))
 }
 
 /// Long thin triangles, which may be cut in pieces.
 pub fn crossing_wires_are_found(part: &Part, trial: &Trial) -> Verdict {
     let few = Trial { cases: trial.cases.div_ceil(4), ..*trial };
-    few.search(scenes::wires(), |asked| everything(part, asked, asked.primitives()))
+    few.search(scenes::wires(), |asked| everything(part, asked, &asked.primitives()))
 }
 
 geometry::kit! { $crate
@@ -266,12 +266,12 @@ fn together(built: &dyn Accelerator, rays: &[Ray]) -> (Vec<Option<Hit>>, Vec<boo
 }
 
 /// All ways to ask.
-fn everything(part: &Part, asked: &Asked, primitives: Primitives) -> Verdict {
+fn everything(part: &Part, asked: &Asked, primitives: &Primitives) -> Verdict {
     let built = part(primitives.clone());
     let rays: Vec<Ray> = asked.rays.iter().map(|&(ray, _)| ray).collect();
     let (hits, blocked) = together(&*built, &rays);
     for ((&(ray, within), together), blocked) in asked.rays.iter().zip(hits).zip(blocked) {
-        let expected = nearest_of_all(&primitives, &ray, within);
+        let expected = nearest_of_all(primitives, &ray, within);
         let alone = built.closest(&ray, within);
         if alone != expected {
             return Err(wrong(asked, &ray, "", expected, alone));
@@ -279,7 +279,7 @@ fn everything(part: &Part, asked: &Asked, primitives: Primitives) -> Verdict {
         if built.any(&ray, within) != expected.is_some() {
             return Err(wrong_any(asked, &ray, "any", expected, expected.is_none()));
         }
-        let expected = nearest_of_all(&primitives, &ray, Interval::FORWARD);
+        let expected = nearest_of_all(primitives, &ray, Interval::FORWARD);
         if together != expected {
             return Err(wrong(asked, &ray, "closest_many, ", expected, together));
         }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use geometry::naive;
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
-use render::{Film, Modules, Settings, assemble, render};
+use render::{Film, Modules, Settings, assemble};
 use serde_json::json;
 
 use super::{
@@ -70,7 +70,7 @@ fn rendered(modules: Modules, effort: &Effort) -> Result<Film, Failure> {
     let assembled =
         assemble(&parsed.scene, &modules, &render::Lighting::default(), &EmbeddedFiles).map_err(|_| failed())?;
     let settings = Settings { size: effort.picture, aa: effort.picture_aa, ..assembled.settings };
-    render(&assembled.scene, &settings, &|_| ControlFlow::Continue(())).ok_or_else(failed)
+    assembled.scene.render(&settings, &|_| ControlFlow::Continue(())).ok_or_else(failed)
 }
 
 /// An 8-bit sRGB picture as a PNG file.

@@ -3,7 +3,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use render::{Film, Modules, Settings, render};
+use render::{Film, Modules, Settings};
 
 use crate::args::BenchArguments;
 use crate::input::{ReadyScene, SceneSource};
@@ -137,7 +137,7 @@ fn timed(
     limit: Option<Duration>,
 ) -> Option<(Film, Duration)> {
     let start = Instant::now();
-    let film = render(&ready.assembled.scene, settings, &|bucket| {
+    let film = ready.assembled.scene.render(settings, &|bucket| {
         progress.advance(bucket.finished, bucket.total);
         if limit.is_some_and(|limit| start.elapsed() > limit) {
             ControlFlow::Break(())

@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 use scene_format::scene_file::{Mesh, Object, PerVertex, Shape, Statement};
-use scene_format::{FileError, Limits, SceneFile, Spanned, format, print, read_mesh, smooth_normals};
+use scene_format::{FileError, Limits, SceneFile, Spanned, print, read_mesh, smooth_normals};
 
 use crate::args::{Axis, ConvertArguments};
 use crate::input::read;
@@ -116,6 +116,5 @@ object {{
         name: Some(Spanned::from("mesh".to_owned())),
         shape: Shape::Mesh(mesh).into(),
     };
-    let text = around + &print(&SceneFile { statements: vec![Statement::Object(object).into()] });
-    Some(format(&text).unwrap_or(text))
+    Some(around + &print(&SceneFile { statements: vec![Statement::Object(object).into()] }))
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::DVec2;
 use image::{ImageFormat, RgbImage};
-use render::{Crop, Film, Modules, Purpose, Sample, Scene, Settings, centred, render};
+use render::{Crop, Film, Modules, Purpose, Sample, Scene, Settings, centred};
 use scene_format::FileError;
 
 use crate::args::ParityArguments;
@@ -92,7 +92,7 @@ fn compare(source: &SceneSource, arguments: &ParityArguments, modules: Modules) 
     let ready = source.assemble(&parsed, &RenderOptions::default(), modules, Show::BeforeRendering)?;
     let scene = &ready.assembled.scene;
     let progress = Progress::start(&source.name, arguments.quiet);
-    let film = render(scene, &ready.settings, &|bucket| {
+    let film = scene.render(&ready.settings, &|bucket| {
         progress.advance(bucket.finished, bucket.total);
         ControlFlow::Continue(())
     });
@@ -145,7 +145,7 @@ fn edge_explains(scene: &Scene, settings: &Settings, [x, y]: [u32; 2], expected:
     let crop = Some(Crop { x, y, width: 1, height: 1 });
     let seen = |seed| {
         let settings = Settings { crop, aa: 0, samples: 2, seed, threads: NonZeroUsize::new(1), ..settings.clone() };
-        let film = render(scene, &settings, &|_| ControlFlow::Continue(()))?;
+        let film = scene.render(&settings, &|_| ControlFlow::Continue(()))?;
         film.to_srgb_bytes().first_chunk().copied()
     };
     let colors: Vec<[u8; 3]> = (1..=ALONG * ALONG).filter_map(seen).collect();

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use render::{Crop, Film, LostRays, Modules, render};
+use render::{Crop, Film, LostRays, Modules};
 use shading::Color;
 
 use crate::args::RenderArguments;
@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &RenderArguments, modules: Modules) -> Result<(), F
     clock.lap("assembling");
 
     let progress = Progress::start(&source.name, arguments.quiet);
-    let film = render(&ready.assembled.scene, &ready.settings, &|bucket| {
+    let film = ready.assembled.scene.render(&ready.settings, &|bucket| {
         progress.advance(bucket.finished, bucket.total);
         ControlFlow::Continue(())
     });

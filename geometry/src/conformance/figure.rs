@@ -11,6 +11,8 @@ pub struct Figure {
     origin: DVec3,
     right: DVec3,
     up: DVec3,
+    /// Whether the ray that runs to the right is part of the case.
+    has_ray: bool,
     marks: Vec<Mark>,
 }
 
@@ -51,7 +53,12 @@ impl Figure {
         let right = ray.direction.as_dvec3().try_normalize().unwrap_or(DVec3::X);
         let beside = (point - origin).reject_from(right);
         let up = beside.try_normalize().unwrap_or_else(|| right.any_orthonormal_vector());
-        Self { origin, right, up, marks: Vec::new() }
+        Self { origin, right, up, has_ray: true, marks: Vec::new() }
+    }
+
+    /// The plane of x, to the right, and y, upwards, without a ray: places in a pixel, on a lens.
+    pub fn flat() -> Self {
+        Self { origin: DVec3::ZERO, right: DVec3::X, up: DVec3::Y, has_ray: false, marks: Vec::new() }
     }
 
     /// With a sphere.
@@ -130,16 +137,8 @@ impl Figure {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         );
-        let start = place(DVec2::ZERO);
-        let from = start.x.max(8.0);
-        let _ = writeln!(
-            svg,
-            "<path d=\"M{from:.2} {y:.2}H{end:.2}m-9 -5l9 5l-9 5\" fill=\"none\" stroke=\"#d08000\" stroke-width=\"1.5\"/>",
-            y = start.y,
-            end = WIDTH - 8.0
-        );
-        if start.x >= 8.0 {
-            let _ = writeln!(svg, "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"4\" fill=\"#d08000\"/>", start.x, start.y);
+        if self.has_ray {
+            draw_ray(&mut svg, place(DVec2::ZERO));
         }
         for mark in self.marks.iter().filter(|mark| mark.is_finite()) {
             mark.draw(&mut svg, scale, place);
@@ -164,6 +163,9 @@ impl Figure {
         if low.x > high.x {
             return (DVec2::ZERO, DVec2::ONE);
         }
+        if !self.has_ray {
+            return (low, high);
+        }
         // The ray's own height, and its origin if that is near.
         (low.y, high.y) = (low.y.min(0.0), high.y.max(0.0));
         let size = (high - low).max_element().max(f64::MIN_POSITIVE);
@@ -174,6 +176,20 @@ impl Figure {
             high.x = 0.0;
         }
         (low, high)
+    }
+}
+
+/// A ray to the right, from where it starts, which may be off the left edge.
+fn draw_ray(svg: &mut String, start: DVec2) {
+    let from = start.x.max(8.0);
+    let _ = writeln!(
+        svg,
+        "<path d=\"M{from:.2} {y:.2}H{end:.2}m-9 -5l9 5l-9 5\" fill=\"none\" stroke=\"#d08000\" stroke-width=\"1.5\"/>",
+        y = start.y,
+        end = WIDTH - 8.0
+    );
+    if start.x >= 8.0 {
+        let _ = writeln!(svg, "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"4\" fill=\"#d08000\"/>", start.x, start.y);
     }
 }
 

@@ -3,7 +3,7 @@ use std::borrow::Cow;
 use geometry::{Corners, Ellipsoid, Kernels, Mesh, Plane, Sphere, Transform, unit_cube};
 use glam::{DVec3, Vec2, Vec3};
 use scene_format::{
-    Code, Diagnostic, Span, Spanned,
+    Code, Diagnostic, Severity, Span, Spanned,
     scene_file::{
         self, Instance, MeshForm, Object, ParticleSource, PerVertex, PlaneOrientation, Shape, SphereForm, Triple,
     },
@@ -25,9 +25,8 @@ impl<'a> Parts<'a> {
         if object.noinstance.is_some() {
             return;
         }
-        match invertible(object.transform.as_ref()) {
-            Ok(to_world) => self.add_shape(&object.shape, &object.shaders, &to_world),
-            Err(diagnostic) => self.diagnostics.push(diagnostic),
+        if let Some(to_world) = self.place(object.transform.as_ref()) {
+            self.add_shape(&object.shape, &object.shaders, &to_world);
         }
     }
 
@@ -47,10 +46,18 @@ impl<'a> Parts<'a> {
         // The centre and radius of a sphere belong to its own object: an instance starts from the unit sphere.
         let unit_sphere = Spanned::new(Shape::Sphere(SphereForm::Unit), shape.span);
         let shape = if matches!(shape.value, Shape::Sphere(_)) { &unit_sphere } else { shape };
-        match invertible(instance.transform.as_ref()) {
-            Ok(to_world) => self.add_shape(shape, &instance.shaders, &to_world),
-            Err(diagnostic) => self.diagnostics.push(diagnostic),
+        if let Some(to_world) = self.place(instance.transform.as_ref()) {
+            self.add_shape(shape, &instance.shaders, &to_world);
         }
+    }
+
+    /// Where a transform puts an object. What it squeezes flat is left out, as in Sunflow, with a warning.
+    fn place(&mut self, written: Option<&Spanned<scene_file::Transform>>) -> Option<Transform> {
+        let placed = invertible(written).map_err(|error| {
+            let warning = Diagnostic { severity: Severity::Warning, ..error };
+            self.diagnostics.push(warning.label("it has no inverse: the object is left out"));
+        });
+        placed.ok()
     }
 
     fn add_shape(&mut self, shape: &Spanned<Shape>, shaders: &[Spanned<String>], to_world: &Transform) {
@@ -78,6 +85,10 @@ impl<'a> Parts<'a> {
                 let count = curved::triangles_of(curved::TEAPOT_PATCHES, subdivision);
                 self.add_made(count, || curved::teapot(subdivision), shaders, to_world, shape.span)
             }
+            Shape::Gumbo(subdivision) => {
+                let count = curved::triangles_of(curved::GUMBO_PATCHES, subdivision);
+                self.add_made(count, || curved::gumbo(subdivision), shaders, to_world, shape.span)
+            }
             Shape::Cylinder => self.add_made(Some(0), curved::cylinder, shaders, to_world, shape.span),
             Shape::Torus { radii } => {
                 self.add_made(Some(0), || curved::torus(radii.value), shaders, to_world, shape.span)
@@ -93,12 +104,12 @@ impl<'a> Parts<'a> {
                 let count = count.map_or(usize::MAX, |count| count.value as usize);
                 self.add_particles(centers, count, radius.value.into(), shaders, to_world)
             }
-            Shape::Gumbo(_) | Shape::Unrendered(_) | Shape::Unknown(_) => return,
+            Shape::Unrendered(_) | Shape::Unknown(_) => return,
         };
         if added.is_ok() && (before, planes_before) == (self.bounded.len(), self.planes.len()) {
             self.diagnostics.push(
                 Diagnostic::warning(Code::EmptyMesh, shape.span, "there is nothing in this object")
-                    .label("it has no triangle and no sphere"),
+                    .label("it has no triangle, and no sphere with a radius"),
             );
         }
         match added {
@@ -134,6 +145,7 @@ impl<'a> Parts<'a> {
     ) -> Result<(), NotPlaced> {
         let place = match form {
             SphereForm::Unit => *to_world,
+            SphereForm::CenterRadius { radius, .. } if radius.value == 0.0 => return Ok(()),
             SphereForm::CenterRadius { center, radius } => Transform::scale(DVec3::splat(radius.value.into()))
                 .then(&Transform::translation(dvec3(center.value)))
                 .then(to_world),

@@ -30,7 +30,7 @@ pub(super) fn invertible(written: Option<&Spanned<scene_file::Transform>>) -> Re
         Some(written) if found.inverse().is_none() => Err(Diagnostic::error(
             Code::NoInverse,
             written.span,
-            "this transform squeezes the object flat or makes it infinite",
+            "this transform squeezes its object flat or makes it infinite",
         )
         .label("it has no inverse")
         .help("look for a scale by 0, or for numbers that overflow")),

@@ -1,14 +1,14 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use image::{ImageReader, Limits};
 use scene_format::{
-    Code, Diagnostic, FileError, Files, SearchPath, Spanned,
-    scene_file::{self, Paint, ShaderKind},
+    Code, Diagnostic, FileError, Files, SceneFile, SearchPath, Spanned,
+    scene_file::{self, Paint, ShaderKind, Statement},
 };
-use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow};
+use shading::{Absorption, Color, Shader, Texture, sunflow};
 
 use super::color::linear;
+use super::picture::decode;
 use crate::{Dialect, Modules};
 
 /// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
@@ -17,6 +17,8 @@ pub(super) struct ShaderTable<'a> {
     texture_path: SearchPath,
     files: &'a dyn Files,
     declared: BTreeMap<&'a str, Declared<'a>>,
+    /// The names of all shaders of the scene, before or behind the object that is read.
+    expected: BTreeSet<&'a str>,
     textures: BTreeMap<String, ReadTexture>,
     pub(super) made: Vec<Box<dyn Shader>>,
     default: Option<u32>,
@@ -54,10 +56,24 @@ impl<'a> ShaderTable<'a> {
             texture_path,
             files,
             declared: BTreeMap::new(),
+            expected: BTreeSet::new(),
             textures: BTreeMap::new(),
             made: Vec::new(),
             default: None,
             diagnostics: Vec::new(),
+        }
+    }
+
+    /// Takes note of the names of all shaders that a scene declares anywhere, for messages.
+    pub(super) fn expect(&mut self, file: &'a SceneFile) {
+        for statement in &file.statements {
+            match &statement.value {
+                Statement::Shader(shader) => {
+                    self.expected.insert(&shader.name.value);
+                }
+                Statement::Include { file: Some(included), .. } => self.expect(&included.scene),
+                _ => {}
+            }
         }
     }
 
@@ -71,6 +87,9 @@ impl<'a> ShaderTable<'a> {
         let Some(declared) = self.declared.get(name.value.as_str()) else {
             let known: Vec<_> = self.declared.keys().map(|known| format!("`{known}`")).collect();
             let help = match known.len() {
+                _ if self.expected.contains(name.value.as_str()) => {
+                    "it is declared further down: a shader stands before the objects that name it".to_owned()
+                }
                 0 => "no shader is declared before this object".to_owned(),
                 1..=8 => format!("declared before it: {}", known.join(", ")),
                 count => format!("{count} shaders are declared before it, none of that name"),
@@ -272,18 +291,4 @@ fn absorbing(absorption: &scene_file::Absorption) -> Option<Absorption> {
     // Sunflow's default: grey.
     let color = absorption.color.as_ref().map_or(Color::grey(0.5), |color| linear(color));
     Some(Absorption { distance, color })
-}
-
-/// A picture from the bytes of a PNG, JPG, GIF or BMP file, whatever its name says.
-pub(crate) fn decode(bytes: &[u8], most: &scene_format::Limits) -> Result<ImageTexture, String> {
-    let mut reader = ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(most.texture_edge);
-    limits.max_image_height = Some(most.texture_edge);
-    limits.max_alloc = Some(most.texture_bytes);
-    reader.limits(limits);
-    let image = reader.decode().map_err(|error| error.to_string())?.into_rgb8();
-    let (width, height) = image.dimensions();
-    let texels = image.pixels().map(|pixel| pixel.0).collect();
-    ImageTexture::new(width as usize, height as usize, texels).ok_or_else(|| "the picture is empty".to_owned())
 }

@@ -1,4 +1,4 @@
-use super::{MeshFileError, broken, broken_line, number, push};
+use super::{MeshFileError, broken, broken_line, number, polygon, push};
 use crate::scene_file::{Mesh, PerVertex, Triple};
 
 /// What an OBJ file lists: everything is counted from 1, or backwards from the end.
@@ -17,8 +17,8 @@ struct Corner {
     normal: Option<Triple>,
 }
 
-/// Wavefront's OBJ: `v`, `vt`, `vn` and `f`; groups, materials and curves are passed over. Faces are fans around their first
-/// corner. Texture coordinates and normals count only where every corner has them.
+/// Wavefront's OBJ: `v`, `vt`, `vn` and `f`; groups, materials and curves are passed over. A line that ends with `\` goes on in the
+/// next one. Texture coordinates and normals count only where every corner has them.
 pub(super) fn read(bytes: &[u8], most: usize) -> Result<Mesh, MeshFileError> {
     let text = match crate::decode(bytes) {
         Ok(text) => text,
@@ -26,9 +26,18 @@ pub(super) fn read(bytes: &[u8], most: usize) -> Result<Mesh, MeshFileError> {
     };
     let mut lists = Lists::default();
     let mut triangles: Vec<[Corner; 3]> = Vec::new();
-    let mut corners = Vec::new();
-    for (line, words) in (1..).zip(text.lines()) {
-        let mut words = words.split_ascii_whitespace();
+    let (mut corners, mut places): (Vec<Corner>, Vec<Triple>) = (Vec::new(), Vec::new());
+    let mut lines = (1..).zip(text.lines());
+    let mut whole = String::new();
+    while let Some((line, beginning)) = lines.next() {
+        whole.clear();
+        whole.push_str(beginning);
+        // Not a comment, which may end with the name of a folder.
+        while whole.ends_with('\\') && !whole.starts_with('#') {
+            whole.pop();
+            whole.push_str(lines.next().map_or("", |(_, more)| more));
+        }
+        let mut words = whole.split_ascii_whitespace();
         let keyword = words.next();
         let mut coordinate = || number(words.next(), line);
         match keyword {
@@ -45,13 +54,12 @@ pub(super) fn read(bytes: &[u8], most: usize) -> Result<Mesh, MeshFileError> {
                 for word in words.take_while(|word| !word.starts_with('#')) {
                     corners.push(lists.corner(word, line)?);
                 }
-                let [first, rest @ ..] = corners.as_slice() else { return broken_line(line, "a face has no corner") };
-                if rest.len() < 2 {
+                if corners.len() < 3 {
                     return broken_line(line, "a face has fewer than 3 corners");
                 }
-                for pair in rest.windows(2) {
-                    push(&mut triangles, [*first, pair[0], pair[1]], most)?;
-                }
+                places.clear();
+                places.extend(corners.iter().filter_map(|corner| lists.points.get(corner.point as usize)));
+                polygon::triangles(&places, |places| push(&mut triangles, places.map(|place| corners[place]), most))?;
             }
             _ => {}
         }
@@ -123,8 +131,18 @@ mod tests {
     }
 
     #[test]
-    fn a_polygon_is_a_fan() {
+    fn a_polygon_is_cut_into_triangles() {
         assert_eq!(*of("f 1 2 3 4 # a square").unwrap().triangles, [[0, 1, 2], [0, 2, 3]]);
+        // With a dent at the last corner, which a fan around the first would leave.
+        assert_eq!(*of("v .5 .1 0\nf 1 2 3 5").unwrap().triangles, [[4, 0, 1], [1, 2, 4]]);
+    }
+
+    #[test]
+    fn a_line_may_go_on_in_the_next_one() {
+        assert_eq!(of("f 1 \\\n2 3 \\\r\n 4"), of("f 1 2 3 4"));
+        assert_eq!(of("f 1 2 3 \\"), of("f 1 2 3"));
+        // Comments do not; and lines are counted as they stand in the file.
+        assert!(matches!(of("# \\\nf 1 2 \\\n3\nf 1 2 9"), Err(MeshFileError::BrokenLine { line: 14, .. })));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-use super::{MeshFileError, broken, push};
+use super::{MeshFileError, broken, polygon, push};
 use crate::scene_file::{Mesh, PerVertex, Triple};
 
 /// How the values stand in the file.
@@ -38,7 +38,7 @@ struct Element {
 }
 
 /// Stanford's PLY, as text or binary: of `vertex` the place, normal and texture coordinates, of `face` the list of corners, cut into
-/// a fan of triangles. Everything else is passed over.
+/// triangles. Everything else is passed over.
 pub(super) fn read(bytes: &[u8], most: usize) -> Result<Mesh, MeshFileError> {
     let (encoding, elements, body) = header(bytes)?;
     let mut values = Values { encoding, rest: body };
@@ -126,13 +126,12 @@ fn triple(row: &[f64], places: Option<[usize; 3]>) -> Result<Triple, MeshFileErr
 }
 
 fn add_face(mesh: &mut Mesh, corners: &[f64], most: usize) -> Result<(), MeshFileError> {
-    let corner = |value: f64| if (0.0..4e9).contains(&value) { value as u32 } else { u32::MAX };
-    if let [first, rest @ ..] = corners {
-        for pair in rest.windows(2) {
-            push(&mut mesh.triangles.value, [*first, pair[0], pair[1]].map(corner), most)?;
-        }
-    }
-    Ok(())
+    let corners: Vec<u32> =
+        corners.iter().map(|&value| if (0.0..4e9).contains(&value) { value as u32 } else { u32::MAX }).collect();
+    // Where the vertices stand behind the faces, nothing is known of their places yet.
+    let place = |corner: &u32| mesh.points.get(*corner as usize).copied().unwrap_or_default();
+    let places: Vec<Triple> = corners.iter().map(place).collect();
+    polygon::triangles(&places, |places| push(&mut mesh.triangles.value, places.map(|place| corners[place]), most))
 }
 
 /// The encoding, the elements, and the bytes behind the header.

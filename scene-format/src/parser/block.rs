@@ -1,15 +1,30 @@
 use super::keywords::nearest;
 use super::layout::Mark;
-use super::report::{Read, quoted};
+use super::report::{Read, comment_help, quoted};
 use super::{Parser, Reported};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::grammar::TypeForm;
 use crate::lexer::{Token, is_number};
+use crate::number::Number;
 use crate::span::{Span, Spanned};
 
 /// The fields, of any block, that are followed by a name.
-const NAMING: &[&str] = &["name", "shader", "modifier", "texture"];
+const NAMING: &[&str] = &[
+    "name",
+    "shader",
+    "modifier",
+    "texture",
+    "diff.texture",
+    "spec.texture",
+    "accel",
+    "filename",
+    "image",
+    "typename",
+];
+
+/// The fields, of any block, that are followed by a count and so many names.
+const LISTING: &[&str] = &["shaders", "modifiers"];
 
 /// A statement's block in braces that is being read.
 pub(super) struct Block<'s> {
@@ -101,9 +116,13 @@ impl<'s> Parser<'s> {
             if ahead.depth() != block.depth {
                 continue;
             }
+            // Whatever comes is a name, be it `type`.
             if NAMING.contains(&token.text) {
-                // Whatever comes is a name, be it `type`.
                 ahead.skip_name();
+            } else if LISTING.contains(&token.text) {
+                let count = ahead.peek().and_then(|count| u32::read(count.text).ok()).unwrap_or(0);
+                // The count itself, too.
+                (0..=count).take_while(|_| ahead.skip_name()).for_each(drop);
             }
             if token.text == "type" {
                 match ahead.next() {
@@ -187,8 +206,10 @@ impl<'s> Parser<'s> {
                 .label("not known here")
                 .help(format!("did you mean `{meant}`?"))
         } else {
-            Diagnostic::warning(Code::UnknownWord, token.span, format!("unknown word {} in this {what}", quoted(token)))
-                .label("skipped, up to the next word that is known")
+            let message = format!("unknown word {} in this {what}", quoted(token));
+            let warning = Diagnostic::warning(Code::UnknownWord, token.span, message)
+                .label("skipped, up to the next word that is known");
+            Diagnostic { help: comment_help(token.text).map(str::to_owned), ..warning }
         };
         self.context.report(diagnostic.note(block.opened, "the block begins here"));
         self.skip_field(block);

@@ -1,4 +1,5 @@
 use super::block::{Block, Field};
+use super::layout::Mark;
 use super::report::Read;
 use super::unrendered::OtherFields;
 use super::{Parser, Reported};
@@ -164,6 +165,7 @@ impl<'s> Parser<'s> {
         let mut look = Look::default();
         while let Some(field) = self.cursor.peek().filter(|field| matches!(field.text, "eye" | "target" | "up")) {
             self.cursor.next();
+            self.mark(field, Mark::Field);
             self.look_field(&mut look, field)?;
         }
         self.close_group(open, "the camera's step")?;

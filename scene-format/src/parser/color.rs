@@ -18,7 +18,8 @@ impl<'s> Parser<'s> {
                 return Ok(Color::Bare(parser.floats(field)?.value));
             };
             let space = parser.word(field)?;
-            let color = match space.text {
+            let words: Vec<&str> = space.text.split_whitespace().collect();
+            let color = match words.join(" ").as_str() {
                 "sRGB nonlinear" => Color::SrgbNonlinear(parser.floats(field)?.value),
                 "sRGB linear" => Color::SrgbLinear(parser.floats(field)?.value),
                 "sRGB" => parser.unquoted_srgb(field)?,
@@ -26,7 +27,7 @@ impl<'s> Parser<'s> {
                 "blackbody" => {
                     Color::Blackbody(parser.float_that(space, "greater than 0", |kelvin| kelvin > 0.0)?.value)
                 }
-                word if word.split_whitespace().next() == Some("spectrum") => parser.spectrum(space)?,
+                _ if words.first() == Some(&"spectrum") => parser.spectrum(space, &words)?,
                 _ => return parser.unknown_space(space),
             };
             parser.close_group(open, "the colour")?;
@@ -51,8 +52,8 @@ impl<'s> Parser<'s> {
     }
 
     /// `"spectrum MIN MAX" N v1 ... vN`; the quotes may be missing here, too.
-    fn spectrum(&mut self, space: Token<'s>) -> Read<Color> {
-        let range = match space.text.split_whitespace().collect::<Vec<_>>().as_slice() {
+    fn spectrum(&mut self, space: Token<'s>, words: &[&str]) -> Read<Color> {
+        let range = match words {
             [_] => self.floats(space)?.value,
             [_, min, max] => match (float(min), float(max)) {
                 (Ok(min), Ok(max)) => [min, max],

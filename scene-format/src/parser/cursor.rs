@@ -14,6 +14,7 @@ pub(super) struct Cursor<'s> {
     previous_closes: bool,
     depth: u32,
     no_more_ends: bool,
+    unclosed_quotes: Vec<Span>,
 }
 
 impl<'s> Cursor<'s> {
@@ -27,6 +28,7 @@ impl<'s> Cursor<'s> {
             previous_closes: false,
             depth: 0,
             no_more_ends: false,
+            unclosed_quotes: Vec::new(),
         }
     }
 
@@ -37,7 +39,12 @@ impl<'s> Cursor<'s> {
 
     /// Takes the next word.
     pub(super) fn next(&mut self) -> Option<Token<'s>> {
+        /// Copies of a cursor take these with them: nobody needs more to see what is wrong.
+        const MOST_QUOTES: usize = 8;
         let token = self.ahead?;
+        if token.is_quote_without_end() && self.unclosed_quotes.len() < MOST_QUOTES {
+            self.unclosed_quotes.push(token.span);
+        }
         self.previous = token.span;
         self.previous_closes = token.is_close();
         self.depth = match token.text {
@@ -49,11 +56,9 @@ impl<'s> Cursor<'s> {
         Some(token)
     }
 
-    /// Takes the next word unless it is a brace.
-    pub(super) fn skip_name(&mut self) {
-        if self.ahead.is_some_and(|token| !token.is_open() && !token.is_close()) {
-            self.next();
-        }
+    /// Takes the next word unless it is a brace; whether it did.
+    pub(super) fn skip_name(&mut self) -> bool {
+        self.ahead.is_some_and(|token| !token.is_open() && !token.is_close()) && self.next().is_some()
     }
 
     /// How many braces are open before the next word.
@@ -89,6 +94,11 @@ impl<'s> Cursor<'s> {
     /// An upper bound for the words that may still come.
     pub(super) fn remaining(&self) -> usize {
         self.lexer.remaining() + self.ahead.map_or(0, |token| token.text.len())
+    }
+
+    /// The words taken so far, or the first of them, whose quote their line ended.
+    pub(super) fn unclosed_quotes(&self) -> &[Span] {
+        &self.unclosed_quotes
     }
 
     pub(super) fn unclosed_comment(&self) -> Option<Span> {

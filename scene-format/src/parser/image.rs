@@ -42,16 +42,25 @@ impl<'s> Parser<'s> {
 
     fn edge(&mut self, field: Token<'_>) -> Read<u32> {
         let most = self.context.limits.picture_edge;
-        let edge = self.integer(field, i32::MIN.into()..=i32::MAX.into())?;
-        match u32::try_from(edge) {
-            Ok(pixels) if (1..=most).contains(&pixels) => Ok(pixels),
-            _ => {
-                let code = if edge < 1 { Code::OutOfRange } else { Code::OverLimit };
-                let message = format!("`{}` must be from 1 to {most}", field.text);
-                let error = Diagnostic::error(code, self.cursor.previous(), message);
-                self.fail(error.label(format!("found `{edge}`")))
-            }
+        let edge = self.at_least_one(field)?;
+        if edge <= most {
+            return Ok(edge);
         }
+        let message = format!("`{}` must be from 1 to {most}", field.text);
+        let error = Diagnostic::error(Code::OverLimit, self.cursor.previous(), message);
+        self.fail(error.label(format!("found `{edge}`")))
+    }
+
+    /// A count of pixels, which Sunflow raises to the least that is possible; with a warning.
+    fn at_least_one(&mut self, field: Token<'_>) -> Read<u32> {
+        let number = self.integer(field, i32::MIN.into()..=i32::MAX.into())?;
+        if let Ok(pixels @ 1..) = u32::try_from(number) {
+            return Ok(pixels);
+        }
+        let message = format!("`{}` must be 1 or greater", field.text);
+        let warning = Diagnostic::warning(Code::OutOfRange, self.cursor.previous(), message);
+        self.context.report(warning.label(format!("found `{number}`, taken as 1")));
+        Ok(1)
     }
 
     fn exponent(&mut self, field: Token<'_>) -> Read<i32> {
@@ -60,7 +69,7 @@ impl<'s> Parser<'s> {
 
     /// `bucket SIZE ORDER`
     pub(super) fn bucket(&mut self, keyword: Token<'s>) -> Read<Bucket> {
-        let size = self.placed(|parser| Ok(parser.integer(keyword, 1..=i32::MAX.into())? as u32))?;
+        let size = self.placed(|parser| parser.at_least_one(keyword))?;
         let word = self.word(keyword)?;
         let (mut name, mut reversed) = (word.text, false);
         if let Some((first, second)) = name.split_once(' ').filter(|(first, _)| reverses(first)) {

@@ -290,8 +290,11 @@ impl<'s> Parser<'s> {
         let error = Diagnostic::error(code, self.cursor.here(), message)
             .label(format!("expected {expected}, found {}", self.found()))
             .note(list.counted_at, format!("announced as {} here", list.count));
-        let help = self.number_help(bad).unwrap_or("correct the count, or write what is missing");
-        self.fail(error.help(help))
+        let help = match bad {
+            BadNumber::NotANumber => self.number_help(bad).or(Some("correct the count, or write what is missing")),
+            BadNumber::OutOfRange | BadNumber::NotFinite => self.number_help(bad),
+        };
+        self.fail(Diagnostic { help: help.map(str::to_owned), ..error })
     }
 
     /// After the list no number may come, or its count was wrong.

@@ -46,6 +46,11 @@ impl Parser<'_> {
     }
 }
 
+/// What to do about a word that begins a comment in other languages, and none here.
+pub(super) fn comment_help(word: &str) -> Option<&'static str> {
+    (word.starts_with("//") || word.starts_with(';')).then_some("a comment begins with `%` or `#`")
+}
+
 /// A word as messages show it, cut when it is long.
 pub(super) fn quoted(token: Token<'_>) -> String {
     const LONGEST: usize = 40;

@@ -25,6 +25,7 @@ pub(super) const RENDERED: &[&str] = &[
     "torus",
     "sphereflake",
     "teapot",
+    "gumbo",
     "particles",
 ];
 
@@ -71,7 +72,7 @@ impl<'s> Parser<'s> {
     /// Warns of a type that is not rendered.
     pub(super) fn check_object_type(&mut self, block: &Block<'s>, kind: Token<'s>) {
         const EFFECT: &str = "left out of the picture";
-        let unrendered = || grammar::OBJECTS.iter().map(|(name, _)| *name).chain(["gumbo"]);
+        let unrendered = || grammar::OBJECTS.iter().map(|(name, _)| *name);
         if RENDERED.contains(&kind.text) {
             return;
         }
@@ -85,7 +86,7 @@ impl<'s> Parser<'s> {
     pub(super) fn shape_field(&mut self, shape: &mut ShapeFields<'s>, field: Token<'s>) -> Read<Field> {
         match (shape, field.text) {
             (ShapeFields::Sphere { center, .. }, "c") => *center = Some(self.floats(field)?),
-            (ShapeFields::Sphere { radius, .. }, "r") => *radius = Some(self.positive(field)?),
+            (ShapeFields::Sphere { radius, .. }, "r") => *radius = Some(self.float(field)?),
             (ShapeFields::Plane { points, .. }, "p") => {
                 points.push(self.floats(field)?);
                 // All points in one go: `p` is the one field that may stand in a block more than once.

@@ -5,13 +5,13 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::grammar;
 use crate::lexer::Token;
-use crate::scene_file::Statement;
+use crate::scene_file::{Kind, Statement};
 
 impl<'s> Parser<'s> {
     /// A statement that is read and not rendered, with a warning that says what the picture loses.
     pub(super) fn unrendered_statement(&mut self, keyword: Token<'s>) -> Read<Statement> {
         let effect = match keyword.text {
-            "gi" => "surfaces get light from the lights alone",
+            "gi" => return self.global_illumination(keyword).map(Statement::Gi),
             "photons" => "there are no caustics",
             "lightserver" => "an old form of `trace-depths`, `gi` and `photons`",
             "modifier" => "surfaces that name it stay smooth",
@@ -20,13 +20,8 @@ impl<'s> Parser<'s> {
             "filter" => "outside the `image` block it does nothing",
             _ => return self.unknown_statement(keyword).map(Statement::Unknown),
         };
-        let warning = Diagnostic::warning(Code::Ignored, keyword.span, format!("`{}` is ignored", keyword.text));
-        self.context.report(warning.label(effect));
+        self.warn_of_ignored(keyword, effect);
         Ok(match keyword.text {
-            "gi" => {
-                let block = self.open(keyword, &["type"], grammar::GI)?;
-                Statement::Gi(self.block_of_kind(&block, grammar::GI, "ignored")?.1)
-            }
             "photons" => Statement::Photons(self.typed_block(keyword, grammar::PHOTONS)?),
             "lightserver" => Statement::LightServer(self.typed_block(keyword, grammar::LIGHT_SERVER)?),
             "modifier" => {
@@ -42,5 +37,20 @@ impl<'s> Parser<'s> {
                 Statement::Filter { name, size }
             }
         })
+    }
+
+    fn warn_of_ignored(&mut self, keyword: Token<'_>, effect: &str) {
+        let warning = Diagnostic::warning(Code::Ignored, keyword.span, format!("`{}` is ignored", keyword.text));
+        self.context.report(warning.label(effect));
+    }
+
+    /// A `gi` block, whose types `none` and `null` ask for what is rendered anyway.
+    fn global_illumination(&mut self, keyword: Token<'s>) -> Read<Kind> {
+        let block = self.open(keyword, &["type"], grammar::GI)?;
+        let (_, kind) = self.block_of_kind(&block, grammar::GI, "ignored")?;
+        if !matches!(&kind, Kind::Unrendered(block) if matches!(block.kind.as_str(), "none" | "null")) {
+            self.warn_of_ignored(keyword, "surfaces get light from the lights alone");
+        }
+        Ok(kind)
     }
 }

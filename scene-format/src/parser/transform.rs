@@ -35,6 +35,9 @@ impl<'s> Parser<'s> {
         // Not collected by a size hint: the count is the file's, and may be anything.
         let mut places = Vec::new();
         for _ in 0..count {
+            if let Some(place) = self.cursor.peek() {
+                self.mark(place, Mark::Field);
+            }
             places.push(read(self, steps)?);
         }
         Ok((times, places))

@@ -2,7 +2,7 @@ use super::Parser;
 use super::block::{Field, kept};
 use super::keywords::{nearest, statements};
 use super::layout::Mark;
-use super::report::{Read, quoted};
+use super::report::{Read, comment_help, quoted};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Token;
@@ -47,8 +47,9 @@ impl<'s> Parser<'s> {
             return self.fail(error.help(format!("did you mean `{meant}`?")));
         }
         self.mark(keyword, Mark::Unknown);
-        let warning = Diagnostic::warning(Code::UnknownStatement, keyword.span, message);
-        self.context.report(warning.label("skipped, with all that belongs to it"));
+        let warning = Diagnostic::warning(Code::UnknownStatement, keyword.span, message)
+            .label("skipped, with all that belongs to it");
+        self.context.report(Diagnostic { help: comment_help(keyword.text).map(str::to_owned), ..warning });
         let mut words = Vec::new();
         while !self.cursor.at_statement() && !self.at_other_line() {
             let Some(word) = self.cursor.peek().filter(|word| !word.is_close()) else { break };

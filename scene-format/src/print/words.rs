@@ -3,11 +3,10 @@ use std::fmt::Display;
 use crate::scene_file::Color;
 use crate::span::Spanned;
 
-/// Puts lines together, indented by the blocks that they stand in.
+/// Puts lines together. Nothing is indented here: the layout is that of `format`.
 #[derive(Default)]
 pub(super) struct Writer {
     text: String,
-    indent: String,
 }
 
 impl Writer {
@@ -16,7 +15,6 @@ impl Writer {
     }
 
     pub(super) fn line(&mut self, line: &str) {
-        self.text.push_str(&self.indent);
         self.text.push_str(line);
         self.text.push('\n');
     }
@@ -31,9 +29,7 @@ impl Writer {
     /// A block in braces with what `content` writes.
     pub(super) fn block(&mut self, keyword: &str, content: impl FnOnce(&mut Self)) {
         self.line(&format!("{keyword}{}{{", if keyword.is_empty() { "" } else { " " }));
-        self.indent.push_str("  ");
         content(self);
-        self.indent.truncate(self.indent.len().saturating_sub(2));
         self.line("}");
     }
 

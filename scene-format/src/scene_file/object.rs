@@ -78,7 +78,7 @@ pub enum Shape {
     },
     /// `teapot`: Newell's, its height along z.
     Teapot(Subdivision),
-    /// `gumbo`: Catmull's elephant; not rendered.
+    /// `gumbo`: Catmull's elephant.
     Gumbo(Subdivision),
     /// `particles`: spheres of one size.
     Particles {

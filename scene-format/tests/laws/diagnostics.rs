@@ -89,12 +89,12 @@ fn not_a_whole_number() {
 
 #[test]
 fn an_impossible_picture_size() {
-    assert_snapshot!(say("image { resolution 0 99999 }"), @"scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]");
+    assert_snapshot!(say("image { resolution 5 99999 }"), @"scene.sc:1:22: error[SC701]: `resolution` must be from 1 to 16384 [found `99999`]");
 }
 
 #[test]
 fn an_impossible_radius() {
-    assert_snapshot!(say("object { shader a type sphere c 0 0 0 r -1 }"), @"scene.sc:1:41: error[SC203]: `r` must be greater than 0 [found `-1`]");
+    assert_snapshot!(say("object { shader a type torus r -1 2 }"), @"scene.sc:1:32: error[SC203]: `r` must be greater than 0 [found `-1`]");
 }
 
 #[test]
@@ -151,6 +151,11 @@ fn a_corner_that_is_no_point() {
 #[test]
 fn a_corner_that_is_no_point_in_the_old_form() {
     assert_snapshot!(say("object { shader a type mesh 1 1 v 0 0 0 0 0 1 0 0 t 0 7 0 }"), @"scene.sc:1:55: error[SC304]: a triangle has a corner that is no point of the mesh [in triangle number 0, counted from 0] (points are counted from 0, and there are 1: the last one is 0)");
+}
+
+#[test]
+fn a_corner_below_zero() {
+    assert_snapshot!(say("object { shader a type generic-mesh points 1 0 0 0 triangles 1 0 0 -2 }"), @"scene.sc:1:68: error[SC203]: `-2` is out of range among the triangles [expected a whole number from 0 on, found `-2`] {scene.sc:1:62: announced as 1 here}");
 }
 
 #[test]
@@ -236,6 +241,11 @@ fn statements_that_are_ignored() {
 }
 
 #[test]
+fn no_global_illumination_is_what_there_is() {
+    assert_eq!(say("gi { type none } gi { type null }"), "");
+}
+
+#[test]
 fn an_unknown_bucket_order() {
     assert_snapshot!(say("bucket 32 zigzag"), @"scene.sc:1:11: warning[SC208]: unknown bucket order `zigzag` [taken as `hilbert`] (the orders are hilbert, spiral, column, row, diagonal, random)");
 }
@@ -243,6 +253,31 @@ fn an_unknown_bucket_order() {
 #[test]
 fn a_comment_without_end() {
     assert_snapshot!(say("bucket 8 row /* and so on"), @"scene.sc:1:14: warning[SC106]: this comment is never closed [takes the rest of the file] (end it with `*/`, with white space on both sides)");
+}
+
+#[test]
+fn a_quote_without_end() {
+    assert_snapshot!(say("object { shader \"white type box\n}\nshader { name \"a\n type mirror refl 1 1 1 }"), @r#"
+        scene.sc:1:1: error[SC112]: the object has no `type` [expected `type <type>` in this block] (types that are rendered: sphere, plane, box, generic-mesh, mesh, flat-mesh, file-mesh, bezier-mesh, cylinder, torus, sphereflake, teapot, gumbo, particles)
+        scene.sc:1:17: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
+        scene.sc:3:15: warning[SC117]: this quote is not closed in its line [one name, up to the end of the line] (put a `"` behind the name, or remove the first one: only names with spaces need any)
+    "#);
+}
+
+#[test]
+fn a_comment_as_in_c() {
+    assert_snapshot!(say("// the sky\nbackground { color 1 1 1 // white\n}"), @"
+        scene.sc:1:1: warning[SC101]: unknown statement `//` [skipped, with all that belongs to it] (a comment begins with `%` or `#`)
+        scene.sc:2:26: warning[SC107]: unknown word `//` in this background [skipped, up to the next word that is known] {scene.sc:2:1: the block begins here} (a comment begins with `%` or `#`)
+    ");
+}
+
+#[test]
+fn an_impossible_bucket_and_picture() {
+    assert_snapshot!(say("bucket 0 row image { resolution -4 480 }"), @"
+        scene.sc:1:8: warning[SC203]: `bucket` must be 1 or greater [found `0`, taken as 1]
+        scene.sc:1:33: warning[SC203]: `resolution` must be 1 or greater [found `-4`, taken as 1]
+    ");
 }
 
 #[test]
@@ -257,9 +292,9 @@ fn an_empty_file() {
 
 #[test]
 fn several_errors_in_one_run() {
-    assert_snapshot!(say("image { resolution 0 1 aa x }\nshader { type mirror }\nobject { shader a type sphere c 1 2 r 1 }"), @"
-        scene.sc:1:20: error[SC203]: `resolution` must be from 1 to 16384 [found `0`]
-        scene.sc:1:27: error[SC201]: `aa` needs a whole number [expected a whole number, found `x`]
+    assert_snapshot!(say("image { resolution 0.5 1 aa x }\nshader { type mirror }\nobject { shader a type sphere c 1 2 r 1 }"), @"
+        scene.sc:1:20: error[SC201]: `resolution` needs a whole number [expected a whole number, found `0.5`] (write it without a point or exponent)
+        scene.sc:1:29: error[SC201]: `aa` needs a whole number [expected a whole number, found `x`]
         scene.sc:2:22: error[SC111]: the shader has no `name` [expected `name <name>` before this] {scene.sc:2:1: the block begins here}
         scene.sc:2:22: error[SC111]: the shader has no `refl` [expected `refl r g b` before this] {scene.sc:2:1: the block begins here}
         scene.sc:3:37: error[SC201]: `c` needs a number [expected a number, found `r`]

@@ -4,8 +4,8 @@ use insta::assert_snapshot;
 use proptest::prelude::*;
 use scene_format::{format, print};
 
-use crate::strategies::scene;
 use crate::{messages, read};
+use scene_format::conformance::scene;
 
 /// The words and comments of a text, white space aside.
 fn pieces(text: &str) -> String {
@@ -49,6 +49,42 @@ proptest! {
         assert_laid_out(&text);
         assert_laid_out(&peppered(&text, &pepper));
     }
+
+    #[test]
+    fn printing_and_laying_out_have_one_style(scene in scene()) {
+        let text = print(&scene);
+        let again = format(&text);
+        prop_assert_eq!(again.as_ref(), Ok(&text));
+    }
+}
+
+#[test]
+fn each_place_of_what_moves_has_a_line() {
+    let text = "camera { type fisheye steps 2 times 0 1 { eye 1 1 1 target 0 0 0 up 0 0 1 } transform { } }
+object { shader a transform steps 2 times 0 1 { scaleu 1 } row 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 type box }";
+    assert_laid_out(text);
+    assert_snapshot!(format(text).unwrap(), @"
+        camera {
+          type fisheye
+          steps 2 times 0 1
+          {
+            eye 1 1 1
+            target 0 0 0
+            up 0 0 1
+          }
+          transform { }
+        }
+        
+        object {
+          shader a
+          transform steps 2 times 0 1
+          {
+            scaleu 1
+          }
+          row 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1
+          type box
+        }
+    ");
 }
 
 #[test]
@@ -85,4 +121,12 @@ fn a_statement_that_is_glued_to_a_brace_begins_a_line() {
     // Found by fuzzing: the word lost its place to the brace.
     assert_laid_out("image { aa 0 1 }x bucket 8 row");
     assert_eq!(format("image { aa 0 1 }x").as_deref(), Ok("image {\n  aa 0 1\n}\n\nx\n"));
+}
+
+#[test]
+fn an_unknown_word_behind_a_comment_that_ends_its_line_is_not_indented() {
+    // Found by fuzzing: it was taken for the rest of a line that was cut, and only the second time for one of its own.
+    assert_laid_out("gi {\n  type ig\n  steps 1 % light\rs\n}");
+    assert_laid_out("xyzzy {\n  a /* b */ c\n}");
+    assert_eq!(format("xyzzy {\n  a /* b */ c\n}").as_deref(), Ok("xyzzy {\n  a  /* b */\n  c\n}\n"));
 }

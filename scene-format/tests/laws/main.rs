@@ -4,7 +4,6 @@ mod diagnostics;
 mod includes;
 mod layout;
 mod round_trip;
-mod strategies;
 mod tolerance;
 mod totality;
 

@@ -35,8 +35,17 @@ fn braces_may_be_glued_to_words() {
 }
 
 #[test]
+fn a_brace_between_two_words_cuts_them_apart() {
+    assert_same("image { aa 0 1 }\nbucket 8 row", "image{aa 0 1}bucket 8 row");
+    assert_same("object { shader a type box }", "object{shader a type box}");
+    // A name in braces is one word all the same.
+    assert_eq!(shader("shader { name a{b} type mirror refl 1 1 1 }").name.value, "a{b}");
+}
+
+#[test]
 fn the_quotes_around_a_colour_space_may_be_missing() {
     assert_same("background { color { \"sRGB linear\" 1 2 3 } }", "background { color { sRGB linear 1 2 3 } }");
+    assert_same("background { color { \"sRGB linear\" 1 2 3 } }", "background { color { \" sRGB\tlinear \" 1 2 3 } }");
 }
 
 #[test]

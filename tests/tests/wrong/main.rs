@@ -4,12 +4,26 @@
 
 mod aabb;
 mod accelerator;
+mod bucket_order;
+mod camera;
+mod constant;
 mod ellipsoid;
+mod falloff;
+mod glass;
+mod lit;
+mod mirror;
 mod naive_octree;
 mod normals;
+mod parser;
+mod phong;
 mod plane;
 mod ray_origin;
+mod renderer;
+mod sampler;
+mod soft_shadows;
 mod sphere;
+mod spoilt;
+mod texture;
 mod triangle;
 mod uv;
 

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use render::{Allotment, Buckets, Film, Modules, Settings, render};
+use render::{Allotment, Buckets, Film, Modules, Settings};
 
 use super::curve::Point;
 use super::samplings::Sampling;
@@ -153,7 +153,10 @@ impl Sums {
 }
 
 fn picture(ready: &ReadyScene, settings: &Settings) -> Result<Film, Failure> {
-    render(&ready.assembled.scene, settings, &|_| ControlFlow::Continue(()))
+    ready
+        .assembled
+        .scene
+        .render(settings, &|_| ControlFlow::Continue(()))
         .ok_or_else(|| Failure::new("the rendering was broken off"))
 }
 

@@ -2,7 +2,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use render::{Modules, Settings, render};
+use render::{Modules, Settings};
 use scene_format::Severity;
 
 use super::{allow_fragment, is_fragment};
@@ -83,7 +83,7 @@ fn row(folder: &Path, path: &Path, modules: Modules) -> Row {
         (None, None) => "no".to_owned(),
         (None, Some(assembled)) => {
             let settings = Settings { size: SIZE, crop: None, aa: 0, samples: 1, ..assembled.settings };
-            match render(&assembled.scene, &settings, &|_| ControlFlow::Continue(())) {
+            match assembled.scene.render(&settings, &|_| ControlFlow::Continue(())) {
                 Some(film) if film.pixels.iter().all(|pixel| pixel.to_array().iter().all(|c| c.is_finite())) => {
                     "yes".to_owned()
                 }

@@ -3,11 +3,12 @@
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
-use scene_format::scene_file::*;
-use scene_format::{SceneFile, Spanned};
+
+use crate::scene_file::*;
+use crate::{SceneFile, Spanned};
 
 /// Every finite float: the ordinary and the tiny, huge and negative zero.
-pub(crate) fn float() -> impl Strategy<Value = f32> {
+pub fn float() -> impl Strategy<Value = f32> {
     use proptest::num::f32::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     prop_oneof![-100.0..100.0f32, (-50i8..50).prop_map(f32::from), POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO]
 }
@@ -21,7 +22,7 @@ fn positive() -> impl Strategy<Value = Spanned<f32>> {
 }
 
 fn row<const N: usize>() -> impl Strategy<Value = [f32; N]> {
-    vec(float(), N).prop_map(|numbers| numbers.try_into().unwrap())
+    vec(float(), N).prop_map(|numbers| std::array::from_fn(|index| numbers[index]))
 }
 
 fn floats<const N: usize>() -> impl Strategy<Value = Spanned<[f32; N]>> {
@@ -37,11 +38,13 @@ fn name() -> impl Strategy<Value = Spanned<String>> {
     word().prop_map(Spanned::from)
 }
 
-pub(crate) fn scene() -> impl Strategy<Value = SceneFile> {
+/// Scenes of one to seven statements.
+pub fn scene() -> impl Strategy<Value = SceneFile> {
     vec(statement().prop_map(Spanned::from), 1..8).prop_map(|statements| SceneFile { statements })
 }
 
-pub(crate) fn statement() -> impl Strategy<Value = Statement> {
+/// Statements of every form, whether rendered or not.
+pub fn statement() -> impl Strategy<Value = Statement> {
     prop_oneof![
         image().prop_map(Statement::Image),
         bucket().prop_map(Statement::Bucket),
@@ -241,7 +244,7 @@ fn shader_kind() -> impl Strategy<Value = ShaderKind> {
 fn object() -> impl Strategy<Value = Object> {
     let shape = prop_oneof![
         Just(Shape::Sphere(SphereForm::Unit)),
-        (floats(), positive()).prop_map(|(center, radius)| Shape::Sphere(SphereForm::CenterRadius { center, radius })),
+        (floats(), number()).prop_map(|(center, radius)| Shape::Sphere(SphereForm::CenterRadius { center, radius })),
         (floats(), plane_orientation()).prop_map(|(point, orientation)| Shape::Plane { point, orientation }),
         Just(Shape::Box),
         mesh().prop_map(Shape::Mesh),
