@@ -223,7 +223,7 @@ const WRONG: [(&str, &str); 6] = [
     ("% \u{e9}\nimage { resolution 320 many }", "many"),
     ("camera { type pinhole eye 0 0 0 target 0 1 x up 0 0 1 fov 60 aspect 1 }", "x"),
     ("light { type point color 1 1 1 power strong p 0 0 0 }", "strong"),
-    ("object { shader a type sphere c 0 0 0 r -1 }", "-1"),
+    ("object { shader a type torus r -1 2 }", "-1"),
     ("shader { name a type mirror refl 1 2 three }", "three"),
 ];
 
