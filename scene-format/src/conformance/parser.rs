@@ -196,7 +196,7 @@ pub fn a_number_keeps_every_bit(parser: &Parser, trial: &Trial) -> Verdict {
     })
 }
 
-fn text_at<'t>(text: &'t str, span: Span) -> Option<&'t str> {
+fn text_at(text: &str, span: Span) -> Option<&str> {
     if span.file == 0 { text.get(span.start as usize..span.end as usize) } else { None }
 }
 
