@@ -1,5 +1,4 @@
 use geometry::Ray;
-use glam::Vec3;
 
 /// No coordinate that an accelerator computes with is greater: products of three of them, and of reciprocals, do not overflow.
 pub(crate) const FARTHEST: f32 = (1_u64 << 36) as f32;
@@ -8,16 +7,17 @@ pub(crate) const FARTHEST: f32 = (1_u64 << 36) as f32;
 /// or short that numbers overflow or vanish. Other rays are answered by asking every primitive.
 #[inline(always)]
 pub(crate) fn is_ordinary(ray: &Ray) -> bool {
-    let length = ray.direction.abs().max_element();
-    // A NaN is below nothing, but `max_element` may pass over it.
-    let is_near = ray.origin.abs().cmplt(Vec3::splat(FARTHEST)).all();
-    let is_short = ray.direction.abs().cmplt(Vec3::splat(FARTHEST)).all();
-    is_near & is_short & (length > 1.0 / FARTHEST)
+    let (away, long) = (ray.origin.abs(), ray.direction.abs());
+    // Sums, for `max_element` may pass over a NaN; they are below nothing if anything in them is a NaN.
+    let is_near = away.x + away.y + away.z < FARTHEST;
+    let is_short = long.x + long.y + long.z < FARTHEST;
+    is_near & is_short & (long.max_element() > 1.0 / FARTHEST)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     #[test]
     fn rays_of_scenes_are_ordinary_and_others_are_not() {

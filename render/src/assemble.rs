@@ -6,6 +6,7 @@ mod curved;
 mod files;
 mod lights;
 mod objects;
+mod picture;
 mod placement;
 mod shaders;
 mod spectrum;

@@ -148,6 +148,18 @@ fn a_word_where_a_number_is_due() {
 }
 
 #[test]
+fn a_shader_behind_the_object_that_names_it() {
+    insta::assert_snapshot!(rendered(
+        "object { shader red type sphere c 0 0 0 r 1 }\nshader { name red type constant color 1 0 0 }"
+    ));
+}
+
+#[test]
+fn two_cameras() {
+    insta::assert_snapshot!(rendered(CAMERA));
+}
+
+#[test]
 fn a_singular_transform() {
     insta::assert_snapshot!(rendered("object { shader white transform { scale 1 0 1 } type sphere }"));
 }

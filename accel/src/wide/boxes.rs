@@ -15,17 +15,17 @@ use super::{
 ///
 /// # No box that holds a hit is lost
 ///
-/// With `u = 2^-24`, `R = |o| + B` on the axis, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: a crossing is computed as
+/// With `u = 2^-24`, `R = max|o| + B`, `B` the greatest coordinate of the tree, and `i = 1/d` rounded: a crossing is computed as
 /// `plane i - o i`, which rounds five times, or four where the processor fuses, and is off by at most `5u R |i|` and a little. A hit is off its box by an eighth of
 /// `u R |i|` ([`geometry::TriangleProbe`]; other primitives: by much less), its `t` by another `u R |i|` when it is rounded to `f32`.
-/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes less than `14.2u`; the origin
-/// itself is moved, forward for the near planes and back for the far ones, by `16u R`, rounded to no less than `15u R`. Nothing
-/// need be done for it in the test.
+/// In the watertight way a triangle counts as met up to `8u R |i|` beside it ([`super::triangles`]). That makes less than `14.2u`; so the near
+/// planes are moved towards the ray's start and the far ones away from it, by `16u R |i|` in `t`, rounded to no less than `15u R |i|`.
+/// It is part of what is added anyway: nothing need be done for it in the test.
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-48 of the largest: that
 /// moves the ray by 2^-47 R inside the tree. [`crate::ordinary`] has seen to it that nothing overflows to a NaN.
 pub(super) struct BoxRays<T> {
-    /// Of the near planes and of the far ones: the origin, moved, times `i`.
+    /// Of the near planes and of the far ones: `-o i`, moved.
     near: [T; 3],
     far: [T; 3],
     pub(super) inverse: [T; 3],
@@ -45,25 +45,33 @@ pub(super) fn near_sides(ray: &Ray) -> [usize; 3] {
     [down & 1, down >> 1 & 1, down >> 2 & 1]
 }
 
+/// `R`: how far any point of the tree is from the origins in the lanes, on any axis. `magnitude` is the tree's greatest coordinate.
+#[inline(always)]
+pub(super) fn reach<I: Copy, L: Lanes<I>>(isa: I, origins: [L; 3], magnitude: f32) -> L {
+    largest::<I, L>(origins) + L::splat(isa, magnitude)
+}
+
+#[inline(always)]
+fn largest<I, L: Lanes<I>>([x, y, z]: [L; 3]) -> L {
+    x.abs().max(y.abs()).max(z.abs())
+}
+
 impl<L: Copy> BoxRays<L> {
-    /// Of the origins and directions of the rays in the lanes. `magnitude` is the greatest coordinate of the tree.
+    /// Of the origins and directions of the rays in the lanes, and their [`reach`].
     #[inline(always)]
-    pub(super) fn new<I: Copy>(isa: I, origins: [L; 3], directions: [L; 3], min: f32, magnitude: f32) -> Self
+    pub(super) fn new<I: Copy>(isa: I, origins: [L; 3], directions: [L; 3], min: f32, reach: L) -> Self
     where
         L: Lanes<I>,
     {
-        let [x, y, z] = directions;
-        let floor =
-            (x.abs().max(y.abs()).max(z.abs()) * L::splat(isa, NEGLIGIBLE)).max(L::splat(isa, f32::MIN_POSITIVE));
-        let (magnitude, slack, one) = (L::splat(isa, magnitude), L::splat(isa, SLACK), L::splat(isa, 1.0));
+        let (one, slack) = (L::splat(isa, 1.0), L::splat(isa, -SLACK) * reach);
+        let least = L::splat(isa, NEGLIGIBLE) * largest::<I, L>(directions);
         let mut rays = Self { near: origins, far: origins, inverse: directions, min: L::splat(isa, min) };
         for axis in 0..3 {
-            let (origin, direction) = (origins[axis], directions[axis]);
-            let direction = direction.abs().max(floor).with_sign_of(direction);
-            let inverse = one / direction;
-            let forward = (slack * (origin.abs() + magnitude)).with_sign_of(direction);
-            rays.near[axis] = (origin + forward) * inverse;
-            rays.far[axis] = (origin - forward) * inverse;
+            let direction = directions[axis];
+            let inverse = one / direction.abs().max(least).with_sign_of(direction);
+            let (start, moved) = (origins[axis] * inverse, slack * inverse.abs());
+            rays.near[axis] = moved - start;
+            rays.far[axis] = L::splat(isa, 0.0) - (moved + start);
             rays.inverse[axis] = inverse;
         }
         rays
@@ -79,8 +87,8 @@ impl<L: Copy> BoxRays<L> {
         let (mut enters, mut leaves) = (self.min, limit);
         for axis in 0..3 {
             let [near, far] = planes(axis);
-            enters = enters.max(near.times_less(self.inverse[axis], self.near[axis]));
-            leaves = leaves.min(far.times_less(self.inverse[axis], self.far[axis]));
+            enters = enters.max(near.times_plus(self.inverse[axis], self.near[axis]));
+            leaves = leaves.min(far.times_plus(self.inverse[axis], self.far[axis]));
         }
         (enters, enters.le(leaves))
     }

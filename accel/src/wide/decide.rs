@@ -118,18 +118,24 @@ impl Nearest {
     }
 
     /// With a triangle that may be met, if it is, and before the nearest so far.
+    #[inline(always)]
+    pub(super) fn or_possible<D: Decide>(self, asked: Asked, known: &mut Hit, place: Place, low: f32) -> Self {
+        match self.nearer::<D>(asked, known, place, low) {
+            Some(t) => Self { place: D::place(place), low: t, high: t },
+            None => self,
+        }
+    }
+
+    /// Where such a triangle is met.
     ///
-    /// A call of its own, so that what is rare does not take the registers of the rest.
+    /// A call of its own, so that what is rare does not take the registers of the rest; and what it returns fits into two of them, so
+    /// that the nearest hit need not stand in memory for it.
     #[cold]
     #[inline(never)]
-    pub(super) fn or_possible<D: Decide>(self, asked: Asked, known: &mut Hit, place: Place, low: f32) -> Self {
-        match D::hit(asked, place, low) {
-            Some(hit) if self.is_after::<D>(asked, *known, hit) => {
-                let place = D::place(place, hit, known);
-                Self { place, low: hit.t, high: hit.t }
-            }
-            _ => self,
-        }
+    fn nearer<D: Decide>(self, asked: Asked, known: &mut Hit, place: Place, low: f32) -> Option<f32> {
+        let hit = D::hit(asked, place, low).filter(|&hit| self.is_after::<D>(asked, *known, hit))?;
+        D::keep(hit, known);
+        Some(hit.t)
     }
 
     /// With a hit of what is not a triangle of the tree, if it comes before the nearest so far.
@@ -185,8 +191,11 @@ pub(super) trait Decide: Sized {
     /// Where a triangle is met, to be compared with others; `low` is what `meet` has told of it.
     fn hit(asked: Asked, place: Place, low: f32) -> Option<Hit>;
 
-    /// What has been found with such a hit: the place, or the hit itself.
-    fn place(place: Place, hit: Hit, known: &mut Hit) -> Place;
+    /// What is remembered of such a hit: its place, or the hit itself.
+    fn place(place: Place) -> Place;
+
+    /// Remembers the hit, if it is not its place that is remembered.
+    fn keep(hit: Hit, known: &mut Hit);
 
     /// Where the nearest is met.
     fn finish(asked: Asked, place: Place, low: f32) -> Option<Hit>;
@@ -215,9 +224,13 @@ impl Decide for Exact {
     }
 
     #[inline(always)]
-    fn place(_: Place, hit: Hit, known: &mut Hit) -> Place {
-        *known = hit;
+    fn place(_: Place) -> Place {
         Place::KNOWN
+    }
+
+    #[inline(always)]
+    fn keep(hit: Hit, known: &mut Hit) {
+        *known = hit;
     }
 
     #[inline(always)]
@@ -247,9 +260,12 @@ impl Decide for Watertight {
     }
 
     #[inline(always)]
-    fn place(place: Place, _: Hit, _: &mut Hit) -> Place {
+    fn place(place: Place) -> Place {
         place
     }
+
+    #[inline(always)]
+    fn keep(_: Hit, _: &mut Hit) {}
 
     #[inline(always)]
     fn finish(asked: Asked, place: Place, low: f32) -> Option<Hit> {

@@ -19,7 +19,7 @@ mod closest;
 use geometry::{Interval, Ray};
 
 use super::{
-    boxes::{BoxRays, SLACK},
+    boxes::{BoxRays, SLACK, reach},
     decide::{Asked, Decide},
     layout::{Block, Node},
     simd::{Isa, Lanes},
@@ -150,7 +150,8 @@ impl<I: Isa> Packet<I> {
             (0, 0) => [0, 1, 2],
             _ => return None,
         };
-        let boxes = BoxRays::new(isa, origins, directions, within.min, magnitude);
+        let reach_of_each = reach(isa, origins, magnitude);
+        let boxes = BoxRays::new(isa, origins, directions, within.min, reach_of_each);
         let mut sides = [0; 3];
         for (side, inverse) in sides.iter_mut().zip(&boxes.inverse) {
             *side = match inverse.lt(zero) {
@@ -163,7 +164,7 @@ impl<I: Isa> Packet<I> {
             isa,
             [origins[axes[0]], origins[axes[1]], origins[axes[2]]],
             [directions[axes[0]], directions[axes[1]], directions[axes[2]]],
-            magnitude,
+            reach_of_each,
         );
         let origins = [range::<I>(origins[0]), range::<I>(origins[1]), range::<I>(origins[2])];
         let mut beam = Beam {

@@ -2,7 +2,7 @@
 //!
 //! A traversal is written once, over [`Isa`], and compiled three times: for AVX-512, for AVX2, and for any processor. Which one runs is
 //! asked of the processor when the accelerator is built. All three do the same IEEE operations in the same order, so they give the same
-//! bits; what may be fused ([`Lanes::times_less`]) only leaves boxes out, within a bound that allows for either.
+//! bits; what may be fused ([`Lanes::times_plus`]) only leaves boxes out, within a bound that allows for either.
 //!
 //! # Safety
 //!
@@ -91,8 +91,8 @@ pub(super) trait Lanes<I>:
     fn load(isa: I, from: &Self::Row) -> Self;
     /// Lane by lane to memory.
     fn store(self, to: &mut Self::Row);
-    /// `self * factor - less`, rounded once or twice as the processor likes: for what has slack for both.
-    fn times_less(self, factor: Self, less: Self) -> Self;
+    /// `self * factor + plus`, rounded once or twice as the processor likes: for what has slack for both.
+    fn times_plus(self, factor: Self, plus: Self) -> Self;
     /// The lesser, lane by lane.
     fn min(self, other: Self) -> Self;
     /// The greater, lane by lane.

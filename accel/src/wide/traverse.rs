@@ -6,7 +6,7 @@ use geometry::{Hit, Interval, Primitives, Ray, TriangleProbe};
 
 use super::{
     Tree,
-    boxes::{BoxRays, near_sides},
+    boxes::{BoxRays, near_sides, reach},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node},
     simd::{Isa, Lanes, Room, Stack, bits, prefetch},
@@ -37,8 +37,8 @@ struct Bound<I: Isa> {
 
 impl<I: Isa> Bound<I> {
     #[inline(always)]
-    fn new(isa: I, ray: &Ray, min: f32, magnitude: f32) -> Self {
-        let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, magnitude);
+    fn new(isa: I, ray: &Ray, min: f32, reach: f32) -> Self {
+        let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, reach);
         let boxes = boxes.map(
             #[inline(always)]
             |&number| I::F32x8::splat(isa, number),
@@ -60,17 +60,30 @@ impl<I: Isa> Bound<I> {
     /// The nearest of the links of a node that the ray meets before the limit, if any; the others wait on the stack, the farthest lowest.
     #[inline(always)]
     fn visit(&self, node: &Node, limit: f32, stack: &mut Stack<Pending>) -> Option<Link> {
-        let (enters, mut met) = self.enter(node, limit);
+        let (enters, met) = self.enter(node, limit);
         if met == 0 {
             return None;
         }
-        let first = met.trailing_zeros() as usize;
-        met &= met - 1;
-        if met == 0 {
-            return Some(node.links[first & 7]);
-        }
         let mut distances = [0.0; 8];
         enters.store(&mut distances);
+        // Of one or of two: which it is cannot be foreseen, so both go the same way.
+        let (first, last) = (met.trailing_zeros() as usize & 7, met.ilog2() as usize & 7);
+        if met == 1 << first | 1 << last {
+            let (one, other) =
+                (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
+            let is_swapped = distances[last].to_bits() < distances[first].to_bits();
+            stack.push(if is_swapped { one } else { other });
+            let near = if is_swapped { node.links[last] } else { node.links[first] };
+            stack.shorten(usize::from(first == last));
+            return Some(near);
+        }
+        Some(self.visit_many(node, met, &distances, stack))
+    }
+
+    #[inline(always)]
+    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; 8], stack: &mut Stack<Pending>) -> Link {
+        let first = met.trailing_zeros() as usize;
+        met &= met - 1;
         let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
         let mut best = entry(first);
         let start = stack.len();
@@ -84,7 +97,7 @@ impl<I: Isa> Bound<I> {
                 sink(stack.since(start), |&entry| entry);
             }
         }
-        Some(Link::from_bits(best as u32))
+        Link::from_bits(best as u32)
     }
 }
 
@@ -99,10 +112,10 @@ pub(super) struct Aimed<'a, I: Isa> {
 
 impl<'a, I: Isa> Aimed<'a, I> {
     #[inline(always)]
-    fn new(isa: I, asked: Asked<'a>, magnitude: f32) -> Self {
+    fn new(isa: I, asked: Asked<'a>, reach: f32) -> Self {
         let (ray, probe) = (asked.ray, TriangleProbe::new(asked.ray));
         let (origin, direction) = (probe.turned(ray.origin).to_array(), probe.turned(ray.direction).to_array());
-        let triangles = TriangleRays::new(isa, origin, direction, magnitude).map(
+        let triangles = TriangleRays::new(isa, origin, direction, reach).map(
             #[inline(always)]
             |&number| I::F32x8::splat(isa, number),
         );
@@ -179,8 +192,8 @@ pub(super) fn search<I: Isa, D: Decide>(
     mut visit: impl FnMut(Link),
 ) -> Option<Hit> {
     let asked = Asked { blocks: &tree.blocks, ray, within };
-    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
-    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let reach = reach(isa, ray.origin.to_array(), tree.magnitude);
+    let (bound, aimed) = (Bound::new(isa, ray, within.min, reach), Aimed::new(isa, asked, reach));
     let (mut nearest, mut known) = (Nearest::none(*within), NO_HIT);
     if !tree.beside.is_empty() {
         nearest = nearest_with::<D>(primitives, &tree.beside, asked, &mut known, nearest);
@@ -260,8 +273,8 @@ pub(super) fn any<I: Isa, D: Decide>(
         return true;
     }
     let asked = Asked { blocks: &tree.blocks, ray, within };
-    let bound = Bound::new(isa, ray, within.min, tree.magnitude);
-    let aimed = Aimed::new(isa, asked, tree.magnitude);
+    let reach = reach(isa, ray.origin.to_array(), tree.magnitude);
+    let (bound, aimed) = (Bound::new(isa, ray, within.min, reach), Aimed::new(isa, asked, reach));
     let mut room = Room::<Link>::new();
     let mut stack = Stack::within(&mut room);
     let mut link = tree.root;

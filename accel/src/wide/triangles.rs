@@ -96,17 +96,16 @@ pub(super) struct Met<T> {
 }
 
 impl<L: Copy> TriangleRays<L> {
-    /// Of the origins and directions of the rays in the lanes, axes turned so that the direction's last is the largest. `magnitude` is the
-    /// greatest coordinate of the tree.
+    /// Of the origins and directions of the rays in the lanes, axes turned so that the direction's last is the largest, and their
+    /// [`reach`](super::boxes::reach).
     #[inline(always)]
-    pub(super) fn new<I: Copy>(isa: I, origin: [L; 3], direction: [L; 3], magnitude: f32) -> Self
+    pub(super) fn new<I: Copy>(isa: I, origin: [L; 3], direction: [L; 3], reach: L) -> Self
     where
         L: Lanes<I>,
     {
         const ROUNDOFF: f32 = 0.5 * f32::EPSILON;
         const UNDERFLOW: f32 = 1.0 / (1_u128 << 120) as f32;
-        let [x, y, z] = origin;
-        let reach = L::splat(isa, ROUNDOFF) * (x.abs().max(y.abs()).max(z.abs()) + L::splat(isa, magnitude));
+        let reach = L::splat(isa, ROUNDOFF) * reach;
         let per_depth = L::splat(isa, 1.0) / direction[2];
         Self {
             origin,
@@ -267,7 +266,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::wide::simd::Portable;
+    use crate::wide::{boxes::reach, simd::Portable};
 
     /// What is told of one triangle, and what the probe says.
     fn both(corners: [Vec3; 3], ray: &Ray, within: Interval) -> (Option<Met<f32>>, Option<Intersection>) {
@@ -275,7 +274,7 @@ mod tests {
         let magnitude = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f32::max);
         let turned = corners.map(|corner| probe.turned(corner).to_array());
         let (origin, direction) = (probe.turned(ray.origin).to_array(), probe.turned(ray.direction).to_array());
-        let rays = TriangleRays::<f32>::new(Portable, origin, direction, magnitude);
+        let rays = TriangleRays::new(Portable, origin, direction, reach(Portable, origin, magnitude));
         let met = rays.meet::<Portable>(Portable, |corner, axis| turned[corner][axis], within, within.max);
         (met, probe.intersect(turned.map(Vec3::from), within))
     }

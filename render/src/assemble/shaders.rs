@@ -1,14 +1,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use image::{ImageReader, Limits};
 use scene_format::{
     Code, Diagnostic, FileError, Files, SceneFile, SearchPath, Spanned,
     scene_file::{self, Paint, ShaderKind, Statement},
 };
-use shading::{Absorption, Color, ImageTexture, Shader, Texture, sunflow};
+use shading::{Absorption, Color, Shader, Texture, sunflow};
 
 use super::color::linear;
+use super::picture::decode;
 use crate::{Dialect, Modules};
 
 /// The shaders of a scene, by name: each is made, and its texture read, when the first object uses it.
@@ -291,18 +291,4 @@ fn absorbing(absorption: &scene_file::Absorption) -> Option<Absorption> {
     // Sunflow's default: grey.
     let color = absorption.color.as_ref().map_or(Color::grey(0.5), |color| linear(color));
     Some(Absorption { distance, color })
-}
-
-/// A picture from the bytes of a PNG, JPG, GIF or BMP file, whatever its name says.
-pub(crate) fn decode(bytes: &[u8], most: &scene_format::Limits) -> Result<ImageTexture, String> {
-    let mut reader = ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(most.texture_edge);
-    limits.max_image_height = Some(most.texture_edge);
-    limits.max_alloc = Some(most.texture_bytes);
-    reader.limits(limits);
-    let image = reader.decode().map_err(|error| error.to_string())?.into_rgb8();
-    let (width, height) = image.dimensions();
-    let texels = image.pixels().map(|pixel| pixel.0).collect();
-    ImageTexture::new(width as usize, height as usize, texels).ok_or_else(|| "the picture is empty".to_owned())
 }

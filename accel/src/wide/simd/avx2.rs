@@ -127,9 +127,9 @@ impl<I: HasAvx2> Lanes<I> for Eight {
     }
 
     #[inline(always)]
-    fn times_less(self, factor: Self, less: Self) -> Self {
+    fn times_plus(self, factor: Self, plus: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm256_fmsub_ps(self.0, factor.0, less.0) })
+        Self(unsafe { _mm256_fmadd_ps(self.0, factor.0, plus.0) })
     }
 
     #[inline(always)]

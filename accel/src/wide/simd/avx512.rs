@@ -108,9 +108,9 @@ impl Lanes<Avx512> for Sixteen {
     }
 
     #[inline(always)]
-    fn times_less(self, factor: Self, less: Self) -> Self {
+    fn times_plus(self, factor: Self, plus: Self) -> Self {
         // SAFETY: kind 1.
-        Self(unsafe { _mm512_fmsub_ps(self.0, factor.0, less.0) })
+        Self(unsafe { _mm512_fmadd_ps(self.0, factor.0, plus.0) })
     }
 
     #[inline(always)]

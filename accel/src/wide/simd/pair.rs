@@ -86,8 +86,8 @@ impl<I: Copy, L: Lanes<I, Row = [f32; 8]>> Lanes<I> for Pair<L> {
     }
 
     #[inline(always)]
-    fn times_less(self, factor: Self, less: Self) -> Self {
-        Self(self.0.times_less(factor.0, less.0), self.1.times_less(factor.1, less.1))
+    fn times_plus(self, factor: Self, plus: Self) -> Self {
+        Self(self.0.times_plus(factor.0, plus.0), self.1.times_plus(factor.1, plus.1))
     }
 
     #[inline(always)]

@@ -76,8 +76,8 @@ impl Lanes<Portable> for Eight {
     }
 
     #[inline(always)]
-    fn times_less(self, factor: Self, less: Self) -> Self {
-        self * factor - less
+    fn times_plus(self, factor: Self, plus: Self) -> Self {
+        self * factor + plus
     }
 
     // Written as the processors' instructions do it, which is cheaper than f32::min.

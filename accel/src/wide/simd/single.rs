@@ -25,8 +25,8 @@ impl<I: Copy> Lanes<I> for f32 {
     }
 
     #[inline(always)]
-    fn times_less(self, factor: Self, less: Self) -> Self {
-        self * factor - less
+    fn times_plus(self, factor: Self, plus: Self) -> Self {
+        self * factor + plus
     }
 
     #[inline(always)]

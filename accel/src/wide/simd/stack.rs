@@ -40,6 +40,12 @@ impl<'a, T: Copy> Stack<'a, T> {
         Some(unsafe { self.entries[self.length].assume_init() })
     }
 
+    /// Without so many of the last entries.
+    #[inline(always)]
+    pub(in crate::wide) fn shorten(&mut self, entries: usize) {
+        self.length -= entries;
+    }
+
     #[inline(always)]
     pub(in crate::wide) fn len(&self) -> usize {
         self.length
