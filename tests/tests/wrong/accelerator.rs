@@ -83,16 +83,6 @@ fn every_mistake_in_an_accelerator_is_named() {
             |all| build(all, Mistake::OwnTriangleTest),
             "the_kernels_of_the_primitives_decide",
         ),
-        (
-            "boxes without slack",
-            |all| build(all, Mistake::NoSlack),
-            "every_ray_finds_what_asking_every_primitive_finds",
-        ),
-        (
-            "a slack of a thousandth of a step",
-            |all| build(all, Mistake::FixedSlack),
-            "slivers_giants_and_dust_are_found",
-        ),
     ]);
 }
 

@@ -27,8 +27,6 @@ pub(crate) enum Mistake {
     BatchInherits,
     BatchKeepsWhatWasThere,
     OwnTriangleTest,
-    NoSlack,
-    FixedSlack,
 }
 
 pub(crate) struct NaiveOctree {
@@ -101,12 +99,6 @@ impl NaiveOctree {
             Mistake::ZeroLost if ray.direction.cmpeq(Vec3::ZERO).any() => None,
             Mistake::NanLost if a.is_nan() || b.is_nan() => None,
             Mistake::InsideLost => sturdy().filter(|part| part.min > within.min),
-            Mistake::NoSlack | Mistake::FixedSlack => {
-                let slack = if mistake == Mistake::FixedSlack { 1e-3 } else { 0.0 };
-                let near = (0..3).map(|axis| a[axis].min(b[axis]) - slack).fold(within.min, f32::max);
-                let far = (0..3).map(|axis| a[axis].max(b[axis]) + slack).fold(within.max, f32::min);
-                (near <= far).then_some(Interval { min: near, max: far })
-            }
             _ => sturdy(),
         }
     }
