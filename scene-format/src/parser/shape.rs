@@ -30,7 +30,6 @@ pub(super) const RENDERED: &[&str] = &[
 ];
 
 /// The fields of an object that depend on its type, as far as they were there.
-#[expect(clippy::large_enum_variant, reason = "there is one at a time, while its object is read")]
 pub(super) enum ShapeFields<'s> {
     Sphere { center: Option<Spanned<Triple>>, radius: Option<Spanned<f32>> },
     Plane { points: Vec<Spanned<Triple>>, normal: Option<Spanned<Triple>> },
