@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::{Aimed, frame, magnitude, sphere::unit_sphere_line, unit_vector};
 use crate::{Ray, Transform};
 
-/// The rays of [`spheres`] at a unit sphere, under maps that turn, shear, mirror and stretch it (axes 1 : 1e3) and move it.
+/// The rays of [`super::spheres`] at a unit sphere, under maps that turn, shear, mirror and stretch it (axes 1 : 1e3) and move it.
 pub fn ellipsoids() -> impl Strategy<Value = Aimed<Transform>> {
     let axes = [magnitude(1.0, 1e3), magnitude(1.0, 1e3), magnitude(1.0, 1e3)];
     let map = (frame(), axes, -1.0..1.0, frame(), any::<bool>(), magnitude(1e-3, 1e3));
