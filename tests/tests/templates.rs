@@ -11,7 +11,13 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_girasol-under-test");
 
 /// Each stub as a module of this test.
 macro_rules! stubs {
-    ($($module:ident = $file:literal;)+) => { $(#[path = $file] mod $module;)+ };
+    ($($module:ident = $file:literal;)+) => {
+        $(
+            #[path = $file]
+            #[allow(unreachable_pub, reason = "in its own crate it is reached")]
+            mod $module;
+        )+
+    };
 }
 
 stubs! {
