@@ -40,7 +40,6 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ),
     ("accel/src/octree/build.rs", "EPSILON", "how near to a cell counts as in it: its rounding, and more"),
     ("accel/src/wide/boxes.rs", "EPSILON", "the slack of a box test"),
-    ("accel/src/wide/boxes.rs", "MIN_POSITIVE", "the least component that has a reciprocal"),
     ("accel/src/wide/boxes.rs", "1.0 / (1 << 48)", "the share of a direction that stands for 0"),
     ("accel/src/wide/triangles.rs", "EPSILON", "the unit roundoff, in the bound of a filter: the exact test follows"),
     ("accel/src/wide/triangles.rs", "1.0 / (1 << 120)", "what underflows in that filter"),
