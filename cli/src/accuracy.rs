@@ -13,7 +13,7 @@ mod kernels;
 mod machine;
 mod measure;
 mod new_rays;
-mod page;
+pub(crate) mod page;
 mod pictures;
 mod random;
 mod speed;
@@ -30,6 +30,8 @@ use crate::report::Failure;
 use crate::scenes::EmbeddedScene;
 use figure::Figure;
 use instructions::Counts;
+pub(crate) use machine::machine;
+pub(crate) use pictures::png;
 use steps::Steps;
 
 /// How much is measured.
@@ -115,7 +117,7 @@ pub(crate) fn report(
 }
 
 fn assembled(effort: &Effort, figures: &[Figure]) -> Report {
-    let machine = machine::machine();
+    let machine = machine();
     let settings = settings(effort);
     let about = [&machine[..], &settings[..]].concat();
     let object = |facts: &[(String, String)]| -> Map<String, Value> {

@@ -1,3 +1,6 @@
+#[cfg(feature = "conformance")]
+mod course;
+
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
@@ -5,8 +8,11 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::accuracy::instructions::KernelRun;
+use crate::compare::{Parts, parse_parts};
 use crate::options::{RenderOptions, parse_positive_seconds};
 use crate::scenes;
+#[cfg(feature = "conformance")]
+pub(crate) use course::{ExamineArguments, ExamineSpeedArguments, GradeArguments, NewArguments, ResultArguments};
 
 /// Renders Sunflow .sc scenes: the ray tracer of a computer-graphics course.
 #[derive(Debug, Parser)]
@@ -43,6 +49,29 @@ pub(crate) enum Command {
     Bench(BenchArguments),
     /// Measure speed against error of every kernel, naive ones beside ours, and write a page of figures.
     Accuracy(AccuracyArguments),
+    /// Render a scene with this program's own parts and with the reference's, and say whether the pictures are equal and what each took.
+    ///
+    /// Writes a page with both pictures, their difference, and a slider.
+    Compare(CompareArguments),
+    /// Make a crate for a part of one's own: a stub, its laws as tests, the task.
+    ///
+    /// It is a whole renderer whose other parts are girasol's. A mere NAME inside of girasol's checkout makes it beside the checkout.
+    #[cfg(feature = "conformance")]
+    New(NewArguments),
+    /// Try the laws of the parts that this program has of its own, and say which are kept, with points.
+    ///
+    /// Each law is tried in a process of its own: an endless loop or a crash costs its own points and no others. The exit code is 0 whatever
+    /// the score; `cargo test` in the crate of a part fails if a law is broken.
+    #[cfg(feature = "conformance")]
+    Grade(GradeArguments),
+    /// Try one law and write what came of it to a file.
+    #[cfg(feature = "conformance")]
+    #[command(hide = true)]
+    Examine(ExamineArguments),
+    /// Measure the time of a scene against the reference's and write it to a file.
+    #[cfg(feature = "conformance")]
+    #[command(hide = true)]
+    ExamineSpeed(ExamineSpeedArguments),
     /// Hold scenes, lit as by Sunflow, against Sunflow's own pictures of them, and print a table of differences.
     ///
     /// A scene misses its target if less than 99.5 % of its pixels are within 2 of 255 in every channel, or if another one is off and no
@@ -211,6 +240,26 @@ pub(crate) struct AccuracyArguments {
 
 fn scene_names() -> PossibleValuesParser {
     scenes::all().iter().map(|scene| scene.name).into()
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgument,
+    /// The parts to set back to the reference's, as in accelerator=default,shaders=default. [default: all that this program has of its own]
+    #[arg(long, value_name = "PART=default,...", value_delimiter = ',', value_parser = parse_parts)]
+    pub(crate) with: Vec<Parts>,
+    /// The page to write. [default: SCENE-compare.html]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Render this often with each, in turn, and show the medians.
+    #[arg(long, value_name = "N", default_value = "3")]
+    pub(crate) repeat: std::num::NonZeroU32,
+    #[command(flatten)]
+    pub(crate) options: RenderOptions,
+    /// Show no progress.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -12,12 +12,18 @@
 mod accuracy;
 mod args;
 mod commands;
+mod compare;
 mod comparison;
+#[cfg(feature = "conformance")]
+mod grade;
 mod input;
 mod interrupt;
 pub mod metrics;
+#[cfg(feature = "conformance")]
+mod new;
 mod options;
 mod output;
+mod parts;
 mod progress;
 mod report;
 pub mod scenes;
@@ -42,6 +48,15 @@ pub fn run(modules: Modules) -> ExitCode {
         Command::Scenes(arguments) => commands::scenes::run(&arguments),
         Command::Bench(arguments) => commands::bench::run(&arguments, modules),
         Command::Accuracy(arguments) => commands::accuracy::run(&arguments, modules),
+        Command::Compare(arguments) => commands::compare::run(&arguments, modules),
+        #[cfg(feature = "conformance")]
+        Command::New(arguments) => commands::new::run(&arguments),
+        #[cfg(feature = "conformance")]
+        Command::Grade(arguments) => commands::grade::run(&arguments, &modules),
+        #[cfg(feature = "conformance")]
+        Command::Examine(arguments) => grade::examine(&arguments, modules),
+        #[cfg(feature = "conformance")]
+        Command::ExamineSpeed(arguments) => grade::examine_speed(&arguments, modules),
         Command::Parity(arguments) => commands::parity::run(&arguments, modules),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };

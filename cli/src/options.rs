@@ -256,6 +256,20 @@ impl RenderOptions {
         })
     }
 
+    /// The same options without those that choose parts.
+    pub(crate) fn without_parts(&self) -> Self {
+        let none = Self::default();
+        Self {
+            lighting: none.lighting,
+            naive: none.naive,
+            accelerator: none.accelerator,
+            hits: none.hits,
+            falloff: none.falloff,
+            sampler: none.sampler,
+            ..self.clone()
+        }
+    }
+
     /// The same options with another accelerator.
     pub(crate) fn with_accelerator(&self, accelerator: AcceleratorName) -> Self {
         Self { accelerator: Some(accelerator), ..self.clone() }

@@ -78,7 +78,7 @@ impl Aabb {
 /// lose their last digits to underflow, which the smallest normal number, added to the coordinates and to `t`, makes good.
 ///
 /// So no box is ever missed, however flat, small, far, or seen along an edge, and none is met that the ray passes by more than `8u
-/// (|o| + B)`: `tests/laws/boxes.rs`.
+/// (|o| + B)`: `conformance/aabb.rs`.
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-100 of the largest,
 /// which moves the ray by less than the slack inside the boxes: so no infinity or NaN arises from finite input. Where the

@@ -10,7 +10,7 @@ pub trait Primitive {
     /// The nearest intersection strictly within the interval, whichever side it is met from.
     ///
     /// `t` is the exact one rounded to `f32`, to within 0.51 ulp, wherever half an ulp of the inputs could not make a miss of it;
-    /// elsewhere as exact as `f64` sees; and so is whether it is met at all. (`tests/laws` holds every primitive to it.)
+    /// elsewhere as exact as `f64` sees; and so is whether it is met at all. (The kits in `conformance` hold every primitive to it.)
     fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection>;
 
     /// The surface at an intersection that [`Self::intersect`] has found for the same ray.

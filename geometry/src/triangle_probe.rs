@@ -21,7 +21,7 @@ use crate::{Intersection, Interval, Ray};
 /// `t` is that of the triangle's plane, not the corners' depths weighted: a sliver's weights cancel. The plane's normal does not:
 /// its terms are products of differences of `f32`, exact in `f64`, so that only their difference is rounded. It is right to 0.51 ulp of
 /// `f32`, `u` and `v` to that and 2^-50 of the corners' distance over the width seen; hit and miss are right where an edge is not
-/// passed as closely as that, and never leave a gap between neighbours. (`tests/laws/triangle.rs`, `accel/tests/watertight.rs`.)
+/// passed as closely as that, and never leave a gap between neighbours. (`conformance/triangle.rs`, `accel/tests/watertight.rs`.)
 ///
 /// # Every hit lies in the triangle's box
 ///

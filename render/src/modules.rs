@@ -90,6 +90,8 @@ impl Shaders {
 }
 
 impl Default for Modules {
+    // Never inlined: the same part has the same address in every crate, so that a program can tell which ones are its own.
+    #[inline(never)]
     fn default() -> Self {
         Self {
             parse: scene_format::parse_within,
@@ -111,6 +113,8 @@ impl Default for Modules {
 }
 
 impl Default for Shaders {
+    // See above.
+    #[inline(never)]
     fn default() -> Self {
         Self {
             constant: |color| Box::new(Constant { color }),

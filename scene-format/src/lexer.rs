@@ -50,10 +50,9 @@ pub(crate) struct Lexer<'s> {
 }
 
 impl<'s> Lexer<'s> {
-    /// Starts at the beginning, after a byte order mark if there is one. The source must be shorter than 4 GiB.
+    /// Starts at the beginning. The source must be shorter than 4 GiB.
     pub(crate) fn new(source: &'s str, file: FileId) -> Self {
-        let position = if source.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        Self { source, position, file, unclosed_comment: None }
+        Self { source, position: 0, file, unclosed_comment: None }
     }
 
     /// The next word outside comments.
@@ -241,13 +240,14 @@ impl<'s> Lexer<'s> {
         }
     }
 
-    /// The length in bytes of the white space character at a byte; 0 when there is none.
+    /// The length in bytes of the white space character at a byte; 0 when there is none. Byte order marks count: one stands at the
+    /// beginning of each file that was put into this one.
     fn blank(&self, at: usize) -> usize {
         match self.byte(at) {
             Some(b'\t'..=b'\r' | b' ' | 0x1c..=0x1f) => 1,
             Some(0x80..) => {
                 let character = self.source.get(at..).and_then(|rest| rest.chars().next());
-                character.filter(|character| character.is_whitespace()).map_or(0, char::len_utf8)
+                character.filter(|&it| it.is_whitespace() || it == '\u{feff}').map_or(0, char::len_utf8)
             }
             _ => 0,
         }
@@ -398,10 +398,11 @@ mod tests {
     }
 
     #[test]
-    fn a_byte_order_mark_is_skipped_and_counted() {
-        let mut lexer = Lexer::new("\u{feff}image", 0);
+    fn a_byte_order_mark_is_skipped_and_counted_wherever_it_stands() {
+        let mut lexer = Lexer::new("\u{feff}image\n\u{feff}{", 0);
         let token = lexer.next().unwrap();
         assert_eq!((token.text, token.span), ("image", Span { file: 0, start: 3, end: 8 }));
+        assert_eq!(lexer.next().map(|token| token.text), Some("{"));
     }
 
     #[test]

@@ -381,3 +381,52 @@ fn the_naive_box_test_loses_what_is_flat() {
     assert!(is_black(&["--naive", "box"]));
     assert!(!is_black(&["--naive", "box", "--accelerator", "none"]));
 }
+
+#[test]
+fn compare_says_that_another_way_to_the_same_picture_is_equal() {
+    let folder = folder();
+    let arguments = ["compare", "tiny.sc", "--accelerator", "octree", "--with", "accelerator=default", "--repeat", "1"];
+    let ended = succeed(&folder, &arguments);
+    let lines: Vec<&str> = ended.stdout.lines().collect();
+    assert_eq!(lines[0], "`accelerator` of this program against the reference's: tiny, 20 x 10 pixels");
+    assert!(lines[6].starts_with("| rays") && lines[6].matches(" 200 |").count() == 2, "{}", ended.stdout);
+    assert_eq!(lines.last(), Some(&"equal: every pixel has the same bits"));
+    assert_eq!(ended.stderr, "tiny-compare.html: both pictures, their difference, and a slider\n");
+    let page = String::from_utf8(folder.read("tiny-compare.html")).unwrap();
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 6);
+    assert!(page.contains("type=\"range\"") && !page.contains("http"), "{page}");
+}
+
+#[test]
+fn compare_names_the_first_pixel_that_differs_and_how_far_the_pictures_are_apart() {
+    let scene = SCENE.replace("type constant color 1 1 1", "type diffuse diff 1 1 1");
+    let lit = format!("{scene}light {{ type point color 1 1 1 power 10 p 0 -5 0 }}\n");
+    let folder = folder().with("lit.sc", lit);
+    let ended = succeed(&folder, &["compare", "lit.sc", "--falloff", "log", "-o", "page.html", "--aa", "0", "--quiet"]);
+    assert!(ended.stdout.starts_with("`falloff` of this program"), "{}", ended.stdout);
+    let verdict: Vec<&str> = ended.stdout.lines().rev().take(2).collect();
+    assert!(
+        verdict[1].starts_with("different: ") && verdict[1].contains(" of 200 pixels; the first is column "),
+        "{verdict:?}"
+    );
+    assert!(verdict[0].starts_with("RMSE 2.0") && verdict[0].contains("FLIP 0."), "{verdict:?}");
+    assert!(!folder.read("page.html").is_empty());
+    assert_eq!(ended.stderr, "");
+}
+
+#[test]
+fn compare_without_a_part_of_one_s_own_says_what_to_do() {
+    for (with, said) in [
+        (&[][..], "every part of this program is the reference's"),
+        (&["--with", "sphere=default,plane=default"], "`sphere` and `plane` is the reference's in this program"),
+    ] {
+        let ended = folder().run(&[&["compare", "tiny.sc"], with].concat());
+        assert_eq!(ended.code, Some(1));
+        assert!(ended.stderr.contains(said) && ended.stderr.contains("girasol new"), "{}", ended.stderr);
+    }
+    let ended = folder().run(&["compare", "tiny.sc", "--accelerator", "none", "--with", "sphere=default"]);
+    assert!(ended.stderr.contains("this program has `accelerator` of its own"), "{}", ended.stderr);
+    let ended = folder().run(&["compare", "tiny.sc", "--with", "acelerator=default"]);
+    assert_eq!(ended.code, Some(2));
+    assert!(ended.stderr.contains("did you mean `accelerator`?"), "{}", ended.stderr);
+}

@@ -1,6 +1,6 @@
 //! Scenes, and rays that are asked about them.
 
-use geometry::conformance::{Enclosed, closed_meshes, triangles, unit_vector, wild_rays};
+use geometry::conformance::{Enclosed, closed_meshes, triangles, wild_rays};
 use geometry::{Interval, Ray};
 use glam::Vec3;
 use proptest::prelude::*;
@@ -11,7 +11,10 @@ use super::{Asked, Thing, aims, intervals, points, things};
 
 /// One thing, and rays from outside at its middle.
 pub(super) fn alone() -> impl Strategy<Value = Asked> {
-    (things(), outside()).prop_map(|(thing, from)| {
+    let at = || [-4.0_f32..4.0, -4.0..4.0, -4.0..4.0].prop_map(Vec3::from);
+    let sphere = (at(), 0.5_f32..1.0).prop_map(|(center, radius)| Thing::Sphere(center, radius));
+    let thing = prop_oneof![sphere, [at(), at(), at()].prop_map(Thing::Triangle)];
+    (thing, outside()).prop_map(|(thing, from)| {
         let origin = thing.middle().as_vec3() + from;
         ahead(vec![thing], [Ray::new(origin, thing.middle().as_vec3() - origin)])
     })
@@ -22,27 +25,27 @@ pub(super) fn nothing_ahead() -> impl Strategy<Value = Asked> {
     (prop::collection::vec(things(), 0..20), outside()).prop_map(|(things, from)| ahead(things, [Ray::new(from, from)]))
 }
 
-/// Up to 150 small spheres on a grid. To each a ray from near its surface, that ends in its middle: only this one can be met.
+/// Up to 150 small spheres that stand side by side, seen along the rays: through each runs a ray that meets no other one.
 pub(super) fn each_of_many() -> impl Strategy<Value = Asked> {
-    (2_u32..6, 1_usize..150, 0_usize..1000, unit_vector()).prop_map(|(side, count, first, from)| {
-        let places = (side * side * side) as usize;
-        let at = |number: usize| {
-            // 7919 is prime to all numbers of places: neighbours in the list are none in space.
-            let place = ((number + first) * 7919 % places) as u32;
-            Vec3::new((place % side) as f32, (place / side % side) as f32, (place / side / side) as f32)
+    let depths = prop::collection::vec(-4.0_f32..4.0, 2..150);
+    (depths, [0.2_f32..0.5, 0.2_f32..0.5], -0.22_f32..0.22).prop_map(|(depths, [x, y], off)| {
+        let direction = Vec3::new(x, y, 1.0).normalize();
+        let columns = (depths.len() as f32).sqrt().ceil() as usize;
+        let middle = |(number, &depth): (usize, &f32)| {
+            Vec3::new((number % columns) as f32, (number / columns) as f32, 0.0) + depth * direction
         };
-        let things: Vec<Thing> = (0..count.min(places)).map(|number| Thing::Sphere(at(number), 0.25)).collect();
-        let ray = |number: usize| Ray::new(at(number) + 0.45 * from.as_vec3(), -0.45 * from.as_vec3());
-        let rays = (0..things.len()).map(|number| (ray(number), Interval::SEGMENT)).collect();
-        Asked { things, rays }
+        let middles: Vec<Vec3> = depths.iter().enumerate().map(middle).collect();
+        let things = middles.iter().map(|&middle| Thing::Sphere(middle, 0.25)).collect();
+        // Past the middle, through cells that the sphere touches alone.
+        let start = off * direction.any_orthonormal_vector() - 20.0 * direction;
+        ahead(things, middles.into_iter().map(|middle| Ray::new(middle + start, direction)))
     })
 }
 
 /// Spheres in a row along a ray, in any order; some beside it.
 pub(super) fn in_a_row() -> impl Strategy<Value = Asked> {
     let along = prop::collection::vec((-4.0_f32..4.0, prop_oneof![2 => Just(0.0_f32), 1 => 0.5_f32..3.0]), 2..40);
-    (along, unit_vector(), points()).prop_map(|(places, direction, middle)| {
-        let direction = direction.as_vec3();
+    (along, oblique(), points()).prop_map(|(places, direction, middle)| {
         let beside = direction.any_orthonormal_vector();
         let sphere = |&(along, off): &(f32, f32)| Thing::Sphere(middle + along * direction + off * beside, 0.2);
         ahead(places.iter().map(sphere).collect(), [Ray::new(middle - 9.0 * direction, direction)])
@@ -95,10 +98,8 @@ pub(super) fn along_axes() -> impl Strategy<Value = Asked> {
 
 /// Rays that start among the things.
 pub(super) fn from_inside() -> impl Strategy<Value = Asked> {
-    (prop::collection::vec(small_spheres(), 10..80), prop::collection::vec((points(), unit_vector()), 16)).prop_map(
-        |(things, rays)| {
-            ahead(things, rays.into_iter().map(|(origin, direction)| Ray::new(0.5 * origin, direction.as_vec3())))
-        },
+    (prop::collection::vec(small_spheres(), 10..80), prop::collection::vec((points(), oblique()), 16)).prop_map(
+        |(things, rays)| ahead(things, rays.into_iter().map(|(origin, direction)| Ray::new(0.5 * origin, direction))),
     )
 }
 
@@ -206,9 +207,15 @@ fn small_spheres() -> impl Strategy<Value = Thing> {
     (points(), 0.05_f32..0.5).prop_map(|(center, radius)| Thing::Sphere(center, radius))
 }
 
-/// Points around all things, 20 away.
+/// Points around all things, 20 away, off the axes.
 fn outside() -> impl Strategy<Value = Vec3> {
-    unit_vector().prop_map(|direction| (20.0 * direction).as_vec3())
+    oblique().prop_map(|direction| 20.0 * direction)
+}
+
+/// Unit vectors none of whose components is small: rays along the axes are a law of their own.
+fn oblique() -> impl Strategy<Value = Vec3> {
+    let component = || (0.2_f32..1.0, any::<bool>()).prop_map(|(size, back)| if back { -size } else { size });
+    [component(), component(), component()].prop_map(|direction| Vec3::from(direction).normalize())
 }
 
 fn coordinate() -> impl Strategy<Value = f32> {

@@ -60,7 +60,8 @@ impl Thing {
                 primitives.add_ellipsoid(ellipsoid(center, axes, degrees));
             }
             Self::Triangle(corners) => {
-                primitives.add_mesh(Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() })
+                let positions = corners.to_vec();
+                primitives.add_mesh(Mesh { positions, triangles: vec![[0, 1, 2]], ..Mesh::default() });
             }
         }
     }

@@ -29,12 +29,17 @@
 //!
 //! | mistake | law |
 //! |---|---|
-//! | the direction is normalised in the sphere's space | [`t_counts_multiples_of_the_direction`] |
+//! | nothing is returned | [`a_moved_sphere_is_met_where_it_is`] |
 //! | the translation moves the direction, too | [`a_moved_sphere_is_met_where_it_is`] |
 //! | the map in place of its inverse | [`a_moved_sphere_is_met_where_it_is`] |
+//! | the direction is normalised in the sphere's space | [`t_counts_multiples_of_the_direction`] |
 //! | the transpose in place of the inverse | [`a_stretched_ellipsoid_is_met_where_its_equation_says`] |
-//! | the box instead of the body | [`a_ray_beside_the_ellipsoid_misses_it`] |
+//! | the root of the discriminant's absolute value | [`a_ray_beside_the_ellipsoid_misses_it`] |
+//! | the absolute value of t | [`an_ellipsoid_behind_the_ray_is_not_met`] |
+//! | only the near side is looked at | [`from_inside_the_far_side_is_met`] |
+//! | the interval is not checked | [`a_hit_outside_the_interval_does_not_count`] |
 //! | the inverse matrix folded, in f32 | [`a_far_translation_costs_nothing`] |
+//! | an epsilon for the discriminant | [`hit_and_miss_are_right_unless_the_map_cannot_tell`] |
 
 use std::ops::Range;
 

@@ -68,7 +68,7 @@ pub fn apart_on_circle(a: f32, b: &Real) -> f64 {
 
 /// A vector without rounding.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Vector(pub(crate) [Exact; 3]);
+pub struct Vector(pub [Exact; 3]);
 
 impl From<DVec3> for Vector {
     fn from(v: DVec3) -> Self {

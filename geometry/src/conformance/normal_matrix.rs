@@ -24,6 +24,7 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`a_turn_turns_normals_as_points`] |
 //! | the transpose | [`a_turn_turns_normals_as_points`] |
 //! | the inverse instead of the inverse transpose | [`a_turn_turns_normals_as_points`] |
 //! | the map itself | [`a_normal_stays_perpendicular_to_its_surface`] |

@@ -26,13 +26,16 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`a_plane_straight_ahead_is_met`] |
 //! | the numerator's sign | [`a_plane_straight_ahead_is_met`] |
 //! | the plane goes through the origin of space | [`a_plane_straight_ahead_is_met`] |
 //! | culled from behind | [`a_plane_is_met_from_behind`] |
 //! | the absolute value of t | [`a_plane_behind_the_ray_is_not_met`] |
 //! | t is the distance | [`t_counts_multiples_of_the_direction`] |
-//! | a parallel ray is met at 0 | [`a_parallel_ray_misses_it`] |
+//! | a ray in the plane is met at once | [`a_parallel_ray_misses_it`] |
 //! | the interval is not checked | [`a_hit_outside_the_interval_does_not_count`] |
+//! | texture coordinates in u and v | [`nothing_but_t_is_told`] |
+//! | a comparison that NaN passes | [`what_is_no_number_is_not_met`] |
 //! | an epsilon for parallel rays | [`a_plane_is_met_near_the_horizon`] |
 //! | all in f32 | [`t_is_exact_to_half_an_ulp`] |
 

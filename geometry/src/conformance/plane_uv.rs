@@ -26,6 +26,7 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`the_first_copy_begins_at_the_planes_point`] |
 //! | u and v swapped | [`the_first_copy_begins_at_the_planes_point`] |
 //! | v flipped | [`the_first_copy_begins_at_the_planes_point`] |
 //! | the texture is not repeated | [`the_texture_repeats`] |

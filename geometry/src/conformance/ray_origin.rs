@@ -33,9 +33,9 @@
 //! | always outwards | [`a_ray_starts_on_the_side_that_it_goes_to`] |
 //! | along the direction, not made a unit vector | [`the_directions_length_does_not_matter`] |
 //! | the shading normal | [`the_shading_normal_does_not_matter`] |
-//! | a constant along the normal | [`a_small_scene_is_not_jumped_over`] |
-//! | a smaller constant | [`a_large_scene_is_left`] |
-//! | a share of the coordinates that is too small | [`a_triangle_is_not_met_again`] |
+//! | a constant along the normal | [`a_large_scene_is_left`] |
+//! | never less than a constant | [`a_small_scene_is_not_jumped_over`] |
+//! | a share of the point's own coordinates | [`a_triangle_is_not_met_again`] |
 
 use glam::{DMat3, DVec3, Vec3};
 use proptest::prelude::*;

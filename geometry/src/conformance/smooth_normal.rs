@@ -22,6 +22,7 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`at_a_corner_it_points_as_the_corners`] |
 //! | the corners one place on | [`at_a_corner_it_points_as_the_corners`] |
 //! | the nearest corner's | [`between_the_corners_it_points_as_their_weighted_mean`] |
 //! | not renormalised | [`it_is_a_unit_vector`] |

@@ -28,6 +28,7 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`a_sphere_straight_ahead_is_met`] |
 //! | only the far side is looked at | [`a_sphere_straight_ahead_is_met`] |
 //! | the direction is taken for a unit vector | [`t_counts_multiples_of_the_direction`] |
 //! | the root of the discriminant's absolute value | [`a_ray_beside_the_sphere_misses_it`] |

@@ -28,13 +28,14 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`u_runs_around_from_x_over_y`] |
 //! | u mirrored | [`u_runs_around_from_x_over_y`] |
 //! | u begins on the other side | [`u_runs_around_from_x_over_y`] |
 //! | y is up | [`u_runs_around_from_x_over_y`] |
+//! | negative angles are left negative | [`u_runs_around_from_x_over_y`] |
 //! | v flipped | [`v_runs_from_the_pole_above_to_the_one_below`] |
 //! | v is the height | [`v_runs_from_the_pole_above_to_the_one_below`] |
 //! | the direction is taken for a unit vector | [`the_directions_length_does_not_matter`] |
-//! | negative angles are left negative | [`u_runs_around_from_x_over_y`] |
 //! | u of the seam is 1 | [`coordinates_lie_in_the_texture`] |
 //! | acos for v | [`v_keeps_its_digits_near_the_poles`] |
 //! | an angle in f32 | [`coordinates_are_the_exact_ones_to_a_rounding`] |

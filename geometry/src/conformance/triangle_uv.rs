@@ -25,6 +25,7 @@
 //!
 //! | mistake | law |
 //! |---|---|
+//! | nothing is returned | [`at_a_corner_it_is_the_corners`] |
 //! | the corners one place on | [`at_a_corner_it_is_the_corners`] |
 //! | u and v swapped | [`at_a_corner_it_is_the_corners`] |
 //! | the weights themselves | [`at_a_corner_it_is_the_corners`] |
@@ -32,7 +33,7 @@
 //! | the nearest corner's | [`between_the_corners_it_is_their_weighted_mean`] |
 //! | wrapped before the mean | [`coordinates_beyond_the_texture_are_kept`] |
 //! | cut to the texture | [`coordinates_beyond_the_texture_are_kept`] |
-//! | differences in f32 | [`coordinates_are_the_exact_mean_to_a_rounding`] |
+//! | all in f32 | [`coordinates_are_the_exact_mean_to_a_rounding`] |
 
 use glam::{DVec2, Vec2};
 use proptest::prelude::*;

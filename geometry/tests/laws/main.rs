@@ -1,15 +1,10 @@
-//! The laws of the primitives, held against exact rational arithmetic.
+//! What our own primitives keep beyond their kits: surfaces, texture coordinates of hits, many triangles at once, defined answers to
+//! undefined inputs; and cases that were once got wrong.
 //!
-//! Every `f32` and `f64` is a rational number, and so is every polynomial of them: the oracle rounds nowhere. Where the truth is
-//! a root, the quadratic's signs on both sides of the claim decide. Inputs come from [`geometry::conformance`].
+//! The truth is [`geometry::conformance::exact`]'s: rational numbers, which round nowhere.
 
-mod boxes;
-mod ellipsoid;
-mod exact;
-mod leaving;
-mod plane;
-mod secondary;
 mod sphere;
+mod surface;
 mod texture;
 mod triangle;
 mod undefined;

@@ -1,17 +1,19 @@
 //! Texture coordinates, held against the exact point's.
 
 use geometry::{
-    Ellipsoid, Interval, PLANE_TEXTURE_SIZE, Primitive, Ray, Sphere,
-    conformance::{Aimed, PlaneGiven, ellipsoids, planes, spheres, times},
+    Ellipsoid, Interval, Primitive, Ray, Sphere,
+    conformance::{
+        Aimed, PlaneGiven, Verdict, ellipsoid, ellipsoids,
+        exact::{DOUBLE, Exact, Quadratic, Real, Vector, exact, real},
+        plane,
+        plane_uv::are_exact,
+        planes, sphere,
+        sphere_uv::{are_those, real_sphere_uv},
+        spheres, times,
+    },
 };
-use glam::{DVec3, Vec2, Vec3};
+use glam::Vec3;
 use proptest::prelude::*;
-
-use crate::exact::{DOUBLE, Exact, Quadratic, Real, SINGLE, Vector, apart_on_circle, exact, pi, real};
-use crate::{ellipsoid, plane, sphere};
-
-/// Half a unit in the last place of the `f32` below 1: what rounding a coordinate costs. NUMERICS asks for 1.2e-7.
-const ROUNDING: f64 = 0.51 * SINGLE;
 
 /// The first root ahead. (Its `t` alone does not say which root was met: from far off, two may round to one.)
 fn first_root(equation: &Quadratic) -> Option<Real> {
@@ -20,22 +22,14 @@ fn first_root(equation: &Quadratic) -> Option<Real> {
     Some((reach - real(&equation.half_b)) / real(&equation.a))
 }
 
-/// `u` and `v` of the point `origin + t direction`, seen from the sphere's centre: u around z from +x over +y, v from +z down.
+/// `u` and `v` of the point `origin + t direction`, seen from the sphere's centre.
 fn sphere_uv(origin: &Vector, direction: &Vector, t: &Real) -> [Real; 2] {
-    let [x, y, z] = [0, 1, 2].map(|axis| real(&origin.0[axis]) + t * real(&direction.0[axis]));
-    let angle = |y: &Real, x: &Real| if *y == Real::ZERO && *x == Real::ZERO { Real::ZERO } else { y.atan2(x) };
-    let width = (&x * &x + &y * &y).sqrt();
-    [angle(&y, &x) / (pi() + pi()), angle(&width, &z) / pi()]
+    real_sphere_uv([0, 1, 2].map(|axis| real(&origin.0[axis]) + t * real(&direction.0[axis])))
 }
 
-/// The coordinates are the exact ones rounded, and what the point is off, in radii: around the axis the more, the nearer to it.
-fn are_those(uv: Vec2, [u, v]: &[Real; 2], off: f64) -> Result<(), TestCaseError> {
-    let nearest_pole = f64::sin(std::f64::consts::PI * v.to_f64().value());
-    let around = apart_on_circle(uv.x, u);
-    prop_assert!(around <= ROUNDING + off / nearest_pole, "u = {} is off by {}", uv.x, around);
-    let along = (real(&exact(uv.y)) - v).to_f64().value().abs();
-    prop_assert!(along <= ROUNDING + off, "v = {} is off by {}", uv.y, along);
-    Ok(())
+/// The kit's verdict as a test's.
+fn holds(verdict: Verdict) -> Result<(), TestCaseError> {
+    verdict.map_err(|broken| TestCaseError::fail(format!("{} expected, {} found", broken.expected, broken.found)))
 }
 
 proptest! {
@@ -53,7 +47,7 @@ proptest! {
         let radius = f64::from(shape.radius);
         let distance = (ray.origin.as_dvec3() - shape.center.as_dvec3()).length();
         let off = error / (-clearance).sqrt() / radius + 8.0 * DOUBLE * (distance / radius + 1.0);
-        are_those(shape.uv(&ray, &hit), &uv, off)?;
+        holds(are_those(shape.uv(&ray, &hit), &uv, off))?;
     }
 
     #[test]
@@ -73,7 +67,7 @@ proptest! {
         let [from_center, direction] = [from_center, direction].map(|v| Vector(v.0.map(|x| x * &sign)));
         let Some(t) = first_root(&equation) else { return Ok(()) };
         let uv = sphere_uv(&from_center, &direction, &t);
-        are_those(shape.uv(&ray, &hit), &uv, error * (1.0 + 1.0 / depth.sqrt()))?;
+        holds(are_those(shape.uv(&ray, &hit), &uv, error * (1.0 + 1.0 / depth.sqrt())))?;
     }
 
     /// However far out: the whole part is taken off before narrowing.
@@ -92,53 +86,8 @@ fn plane_coordinates_are_exact(aimed: &Aimed<PlaneGiven>) -> Result<(), TestCase
     let step = Vector(Vector::from(ray.direction).0.map(|x| x * &t));
     let offset = Vector::from(ray.origin).plus(&step).minus(&point);
     let length = |v: &Vector| v.approximate().length();
-    let reach = t_error * ray.direction.as_dvec3().length() + length(&offset) + 2.0 * length(&step);
-    let uv = shape.uv(&ray, &hit);
-    for (gradient, coordinate) in gradients(&given).into_iter().zip(uv.to_array()) {
-        let sum = |v: &Vector| {
-            let [x, y, z] = [0, 1, 2].map(|axis| &gradient[axis] * real(&v.0[axis]));
-            x + y + z
-        };
-        let steepness = DVec3::from(gradient.each_ref().map(|x| x.to_f64().value())).length();
-        let error = 16.0 * DOUBLE * reach * steepness * shear(&given);
-        let off = apart_on_circle(coordinate, &sum(&offset));
-        prop_assert!(off <= ROUNDING + error, "{} is off by {}", coordinate, off);
-    }
-    Ok(())
-}
-
-/// What `u` and `v` grow by along each axis.
-fn gradients(plane: &PlaneGiven) -> [[Real; 3]; 2] {
-    match *plane {
-        PlaneGiven::ByNormal { normal, .. } => {
-            let n = Vector::from(normal);
-            let is_floor = normal.y.abs() > normal.x.abs().max(normal.z.abs());
-            let up = if is_floor { -DVec3::Z * f64::from(normal.y.signum()) } else { DVec3::Y };
-            // v = up less its part along n, u = v x n; both of length 1, over the texture's size.
-            let squared = n.dot(&n);
-            let share = n.dot(&up.into()) / squared;
-            let v = Vector::from(up).minus(&Vector(n.0.clone().map(|x| x * &share)));
-            let size = |v: &Vector| real(&v.dot(v)).sqrt() * real(&exact(PLANE_TEXTURE_SIZE));
-            [v.cross(&n), v].map(|v| v.0.each_ref().map(|x| real(x) / size(&v)))
-        }
-        PlaneGiven::ByPoints { point, along_u, along_v } => {
-            let [u, v] = [along_u, along_v].map(|end| Vector::from(end).minus(&point.into()));
-            let cross = u.cross(&v);
-            let squared = real(&cross.dot(&cross));
-            [v.cross(&cross), cross.cross(&u)].map(|v| v.0.map(|x| real(&x) / &squared))
-        }
-    }
-}
-
-/// How much the edges of a plane by three points cancel in its normal: one over the sine between them.
-fn shear(plane: &PlaneGiven) -> f64 {
-    match *plane {
-        PlaneGiven::ByNormal { .. } => 1.0,
-        PlaneGiven::ByPoints { point, along_u, along_v } => {
-            let [u, v] = [along_u, along_v].map(|end| end.as_dvec3() - point.as_dvec3());
-            u.length() * v.length() / u.cross(v).length()
-        }
-    }
+    let reach = t_error * ray.direction.as_dvec3().length() + 2.0 * length(&step);
+    holds(are_exact(shape.uv(&ray, &hit), &given, &offset, reach))
 }
 
 /// The seam: just before it, a coordinate must not become 1.

@@ -30,11 +30,12 @@ pub(super) const RENDERED: &[&str] = &[
 ];
 
 /// The fields of an object that depend on its type, as far as they were there.
+#[expect(clippy::large_enum_variant, reason = "there is one at a time, while its object is read")]
 pub(super) enum ShapeFields<'s> {
     Sphere { center: Option<Spanned<Triple>>, radius: Option<Spanned<f32>> },
     Plane { points: Vec<Spanned<Triple>>, normal: Option<Spanned<Triple>> },
     Box,
-    Mesh(MeshFields<'s>),
+    Mesh(Box<MeshFields<'s>>),
     FileMesh { file: Option<Spanned<String>>, smooth: Option<Spanned<bool>> },
     Bezier(BezierFields),
     Cylinder,
@@ -52,9 +53,9 @@ impl<'s> ShapeFields<'s> {
             "sphere" => Self::Sphere { center: None, radius: None },
             "plane" => Self::Plane { points: Vec::new(), normal: None },
             "box" => Self::Box,
-            "generic-mesh" => Self::Mesh(MeshFields::new(MeshForm::Generic)),
-            "mesh" => Self::Mesh(MeshFields::new(MeshForm::Lines)),
-            "flat-mesh" => Self::Mesh(MeshFields::new(MeshForm::FlatLines)),
+            "generic-mesh" => Self::Mesh(Box::new(MeshFields::new(MeshForm::Generic))),
+            "mesh" => Self::Mesh(Box::new(MeshFields::new(MeshForm::Lines))),
+            "flat-mesh" => Self::Mesh(Box::new(MeshFields::new(MeshForm::FlatLines))),
             "file-mesh" => Self::FileMesh { file: None, smooth: None },
             "bezier-mesh" => Self::Bezier(BezierFields::default()),
             "cylinder" => Self::Cylinder,
@@ -128,7 +129,7 @@ impl<'s> Parser<'s> {
             }
             ShapeFields::Plane { points, normal } => self.plane(block, &points, normal),
             ShapeFields::Box => Ok(Shape::Box),
-            ShapeFields::Mesh(mesh) => self.finish_mesh(block, mesh).map(Shape::Mesh),
+            ShapeFields::Mesh(mesh) => self.finish_mesh(block, *mesh).map(Shape::Mesh),
             ShapeFields::FileMesh { file, smooth } => {
                 Ok(Shape::FileMesh { file: self.require(block, file, "filename", "filename <file>")?, smooth })
             }

@@ -9,7 +9,7 @@ use scene_format::conformance::scene;
 
 /// The words and comments of a text, white space aside.
 fn pieces(text: &str) -> String {
-    text.trim_start_matches('\u{feff}').chars().filter(|character| !character.is_whitespace()).collect()
+    text.chars().filter(|character| !character.is_whitespace() && *character != '\u{feff}').collect()
 }
 
 fn assert_laid_out(text: &str) {
@@ -114,6 +114,13 @@ fn a_text_with_an_error_is_not_laid_out() {
 #[test]
 fn an_include_need_not_be_there() {
     assert_eq!(format("include   x.sc").as_deref(), Ok("include x.sc\n"));
+}
+
+#[test]
+fn a_byte_order_mark_behind_white_space_is_white_space() {
+    // Found by fuzzing: it came to stand at the beginning, where the second time it was no part of the word any more.
+    assert_laid_out("\n\u{feff}ect { type boxl }");
+    assert_eq!(format("\n\u{feff}xyzzy").as_deref(), Ok("xyzzy\n"));
 }
 
 #[test]

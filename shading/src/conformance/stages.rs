@@ -65,7 +65,7 @@ pub fn lit(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = Stage>
     let stages = (stages, lamp).prop_map(|(stage, (cosine, around, distance, color, power))| {
         let side = stage.normal();
         let to_light = side * cosine + in_plane(side, around) * f64::sqrt(1.0 - cosine * cosine);
-        with_lamp(stage, to_light * distance, color, power)
+        with_lamp(&stage, to_light * distance, color, power)
     });
     stages.prop_filter("behind the true surface", |stage| stage.to_lamp().dot(stage.outward()) > 0.0)
 }
@@ -90,7 +90,7 @@ pub fn lit_through_the_surface() -> impl Strategy<Value = Stage> {
         let along = normal.reject_from(outward).normalize();
         let lean = libm::acos(normal.dot(outward).min(1.0));
         let (sin, cos) = libm::sincos(share * lean);
-        with_lamp(stage, (along * cos - outward * sin) * distance, color, power)
+        with_lamp(&stage, (along * cos - outward * sin) * distance, color, power)
     })
 }
 
@@ -114,9 +114,9 @@ pub fn undimmed(stages: impl Strategy<Value = Stage>) -> impl Strategy<Value = S
     })
 }
 
-fn with_lamp(stage: Stage, to_light: DVec3, color: Color, power: f32) -> Stage {
+fn with_lamp(stage: &Stage, to_light: DVec3, color: Color, power: f32) -> Stage {
     let position = (stage.surface.position.as_dvec3() + to_light).as_vec3();
-    Stage { lamps: [Some(Lamp { position, color, power }), None], ambient: 0.0, ..stage }
+    Stage { lamps: [Some(Lamp { position, color, power }), None], ambient: 0.0, ..stage.clone() }
 }
 
 fn seen(
