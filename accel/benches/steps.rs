@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Meshes and rays are those of the bench against peers (its README.md describes them). The table has thousands of rays a second, on one thread,
-//! for camera, shadow and diffuse rays; all take turns of a millisecond, and of some rounds of each turn the least disturbed counts.
+//! for camera, shadow and diffuse rays; all take turns of a millisecond, and of some rounds of each turn the least disturbed counts. Time
+//! is that of the thread on the processor.
 //! Some of the rays are asked of every exact step beforehand: all give the same hits.
 #![allow(clippy::print_stdout, missing_docs, unreachable_pub)]
 
@@ -17,9 +18,9 @@ mod meshes;
 mod rays;
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use accel::{Accelerator, Step, none, octree, wide_up_to, wide_watertight};
+use cpu_time::ThreadTime;
 use geometry::{Interval, Primitives, Ray};
 
 /// One at a time, or many in a call.
@@ -123,7 +124,7 @@ fn speeds(
                     continue;
                 }
                 let turn = if is_slow { &turn[..FEW.min(turn.len())] } else { turn };
-                let start = Instant::now();
+                let start = ThreadTime::now();
                 black_box(trace(&*trees[*tree], turn, any, *calls));
                 *least = least.min(start.elapsed().as_secs_f64());
             }
