@@ -33,7 +33,7 @@ impl Ellipsoid {
     /// the products of a folded matrix would cancel.
     fn unit_roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let from_center = self.to_unit.linear * (ray.origin.as_dvec3() - self.to_world.translation);
-        let power = from_center.dot(from_center) - 1.0;
+        let power = || from_center.dot(from_center) - 1.0;
         line_meets_sphere(from_center, self.to_unit.linear * ray.direction.as_dvec3(), 1.0, power)
     }
 

@@ -180,6 +180,15 @@ impl Primitives {
         }
     }
 
+    /// A sphere that is met by its own kernel, for accelerators that ask it with one of theirs; `None` for other shapes.
+    #[inline]
+    pub fn sphere(&self, number: u32) -> Option<&Sphere> {
+        match self.numbered[number as usize] {
+            Number::Sphere(index) if self.kernels.sphere.is_none() => Some(&self.shapes.spheres[index as usize]),
+            _ => None,
+        }
+    }
+
     /// The nearest hit of one, strictly within the interval.
     #[inline]
     pub fn intersect(&self, number: u32, ray: &Ray, within: Interval) -> Option<Hit> {

@@ -30,8 +30,13 @@ pub struct Sphere {
 ///
 /// (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019, chapter 7.)
 /// The lesser root in magnitude is found from the product of the roots, `(f.f - r^2) / d.d`. Its numerator, the origin's
-/// `power` (Steiner 1826), is asked for, since it cancels where the origin is near the surface.
-pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f64, power: f64) -> Option<[f64; 2]> {
+/// `power` (Steiner 1826), is asked for, since it cancels where the origin is near the surface; not of a line that misses.
+pub(crate) fn line_meets_sphere(
+    from_center: DVec3,
+    direction: DVec3,
+    radius: f64,
+    power: impl FnOnce() -> f64,
+) -> Option<[f64; 2]> {
     let a = direction.dot(direction);
     let half_b = from_center.dot(direction);
     let middle = -(half_b / a);
@@ -42,7 +47,7 @@ pub(crate) fn line_meets_sphere(from_center: DVec3, direction: DVec3, radius: f6
         return None;
     }
     let far = middle + (depth / a).sqrt().copysign(middle);
-    let other = if far == 0.0 { 0.0 } else { power / a / far };
+    let other = if far == 0.0 { 0.0 } else { power() / a / far };
     Some(if far < other { [far, other] } else { [other, far] })
 }
 
@@ -56,7 +61,7 @@ fn power(point: Vec3, center: Vec3, radius: f32) -> f64 {
     let radius = f64::from(radius);
     let squared = radius * radius;
     let power = from_center.dot(from_center) - squared;
-    if power.abs() * f64::from(1 << 20) > squared {
+    if is_exact(power, squared) {
         return power;
     }
     let mut sum = -squared;
@@ -70,6 +75,22 @@ fn power(point: Vec3, center: Vec3, radius: f32) -> f64 {
         rest += rounded_off + low * (2.0 * high + low);
     }
     sum + rest
+}
+
+/// Whether no more than 20 bits of a power cancel, from the radius squared.
+#[inline(always)]
+pub(crate) fn is_exact(power: f64, squared: f64) -> bool {
+    power.abs() * f64::from(1 << 20) > squared
+}
+
+/// Whether a ray surely starts outside and goes away from the centre: as all do that leave the sphere itself, for a light, say. Neither root is
+/// then above 0. Of `f.d`, `f.f` and the radius squared.
+///
+/// The power is rounded in seven steps, and so off by less than 2^-50 of what is added up in it; if it is above that, it is greater than 0.
+#[inline(always)]
+pub(crate) fn is_left_behind(half_b: f64, distance_squared: f64, radius_squared: f64) -> bool {
+    const SURELY: f64 = 1.0 / (1_u64 << 50) as f64;
+    (half_b > 0.0) & (distance_squared - radius_squared > SURELY * (distance_squared + radius_squared))
 }
 
 /// A sum, and what its rounding lost: together exactly `a + b`.
@@ -103,8 +124,16 @@ pub(crate) fn sphere_uv(direction: DVec3) -> Vec2 {
 impl Sphere {
     fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
-        let power = power(ray.origin, self.center, self.radius);
+        let power = || power(ray.origin, self.center, self.radius);
         line_meets_sphere(from_center, ray.direction.as_dvec3(), f64::from(self.radius), power)
+    }
+
+    /// See [`is_left_behind`].
+    #[inline]
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
+        let squared = f64::from(self.radius) * f64::from(self.radius);
+        is_left_behind(from_center.dot(ray.direction.as_dvec3()), from_center.dot(from_center), squared)
     }
 
     /// The unit vector from the centre to an intersection.
@@ -123,6 +152,9 @@ impl Primitive for Sphere {
     /// `t` to 0.51 ulp, but for tangents: where the line passes the surface as closely as the inputs' own half ulp, to what `f64`
     /// sees, 2^-49 r (D + r) of the depth r^2 - l^2, D the origin's distance from the centre. Hit and miss are right down to that.
     fn intersect(&self, ray: &Ray, within: Interval) -> Option<Intersection> {
+        if within.min >= 0.0 && self.is_left_behind(ray) {
+            return None;
+        }
         first_within(self.roots(ray)?, within)
     }
 
@@ -163,6 +195,24 @@ mod tests {
     fn a_tangent_meets_the_sphere() {
         let ray = Ray::new(Vec3::new(1.0, 0.0, -3.0), Vec3::Z);
         assert_eq!(UNIT.intersect(&ray, Interval::FORWARD), Some(Intersection::at(3.0)));
+    }
+
+    /// Rays that leave the sphere by a hair, or not: what is left out is what the roots would leave out.
+    #[test]
+    fn a_sphere_that_is_left_behind_has_no_root_in_front() {
+        let ulp = |number: f32, steps: i32| f32::from_bits(number.to_bits().wrapping_add_signed(steps));
+        let mut left_behind = [0, 0];
+        for (radius, far) in [(1.0_f32, 0.0_f32), (0.3, 7.0), (1e-3, 100.0), (1e6, 1.0)] {
+            let sphere = Sphere { center: Vec3::new(far, -far, 0.5 * far), radius };
+            for (steps, lean) in (-40..40).flat_map(|steps| [-1.0, -1e-7, 0.0, 1e-7, 1.0].map(|lean| (steps, lean))) {
+                let origin = Vec3::new(ulp(far + radius, steps), -far, 0.5 * far);
+                let ray = Ray::new(origin, Vec3::new(lean, 1.0, -0.5));
+                let met = sphere.roots(&ray).and_then(|roots| first_within(roots, Interval::FORWARD));
+                assert_eq!(sphere.intersect(&ray, Interval::FORWARD), met, "{sphere:?} {ray:?}");
+                left_behind[usize::from(sphere.is_left_behind(&ray))] += 1;
+            }
+        }
+        assert!(left_behind.into_iter().all(|count| count > 300), "{left_behind:?}");
     }
 
     #[test]

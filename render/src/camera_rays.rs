@@ -7,7 +7,7 @@ use shading::Color;
 use crate::{
     LostRays, RayCounts, Sample, Scene, Settings,
     lit::Lit,
-    tracer::{Seen, Tracer},
+    tracer::{Point, Tracer},
 };
 
 /// So many rays are traced together: several times sixteen, so that those without a hit or light leave few gaps.
@@ -26,29 +26,64 @@ pub(crate) struct CameraRays<'a> {
     lost: LostRays,
     together: usize,
     in_pixel: [DVec2; TOGETHER],
+    on_lens: [DVec2; TOGETHER],
+    samples: Samples,
     rays: Vec<Ray>,
-    /// The number of each ray's pixel.
-    pixels: Vec<usize>,
-    /// Which sample each ray is, and, when it is traced, what it sees.
-    points: Vec<(Sample, Option<Seen>)>,
     hits: [Option<Hit>; TOGETHER],
     lit: Lit,
+    colors: [Color; TOGETHER],
+}
+
+/// Whose rays are on their way.
+#[derive(Default)]
+pub(crate) struct Samples {
+    pixels: Vec<OfPixel>,
+    /// For each ray, where in `pixels` its own stands.
+    of_rays: Vec<u32>,
+}
+
+/// Rays of one pixel that follow each other.
+struct OfPixel {
+    /// The caller's number for it.
+    number: usize,
+    first_ray: usize,
+    first_sample: Sample,
+}
+
+impl Samples {
+    fn add(&mut self, count: u32, pixel: OfPixel) {
+        self.of_rays.resize(pixel.first_ray + count as usize, self.pixels.len() as u32);
+        self.pixels.push(pixel);
+    }
+
+    fn clear(&mut self) {
+        self.pixels.clear();
+        self.of_rays.clear();
+    }
+
+    /// Which sample a ray is.
+    pub(crate) fn of(&self, ray: usize) -> Sample {
+        let &OfPixel { first_ray, first_sample, .. } = &self.pixels[self.of_rays[ray] as usize];
+        Sample { index: first_sample.index + (ray - first_ray) as u32, ..first_sample }
+    }
 }
 
 impl<'a> CameraRays<'a> {
     pub(crate) fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
         let tracer = Tracer::new(scene, settings);
         let together = (INCIDENTS_TOGETHER / tracer.lights_asked().max(1)).clamp(FEWEST_TOGETHER, TOGETHER);
+        let lit = Lit::new(&tracer);
         Self {
             tracer,
             lost: LostRays::default(),
             together,
             in_pixel: [DVec2::ZERO; TOGETHER],
+            on_lens: [DVec2::ZERO; TOGETHER],
+            samples: Samples::default(),
             rays: Vec::with_capacity(together),
-            pixels: Vec::with_capacity(together),
-            points: Vec::with_capacity(together),
             hits: [None; TOGETHER],
-            lit: Lit::default(),
+            lit,
+            colors: [Color::BLACK; TOGETHER],
         }
     }
 
@@ -64,11 +99,10 @@ impl<'a> CameraRays<'a> {
         let mut index = indices.start;
         while index < indices.end {
             let count = (indices.end - index).min((self.together - self.rays.len()) as u32);
-            let in_pixel = &mut self.in_pixel[..count as usize];
-            self.tracer.camera_rays(Sample { index, ..first }, in_pixel, &mut self.rays);
-            let samples = (index..index + count).map(|index| Sample { index, ..first });
-            self.points.extend(samples.map(|sample| (sample, None)));
-            self.pixels.extend((0..count).map(|_| pixel));
+            let first = Sample { index, ..first };
+            let places = [&mut self.in_pixel, &mut self.on_lens].map(|places| &mut places[..count as usize]);
+            self.samples.add(count, OfPixel { number: pixel, first_ray: self.rays.len(), first_sample: first });
+            self.tracer.camera_rays(first, places, &mut self.rays);
             index += count;
             if self.rays.len() == self.together {
                 self.tell(told);
@@ -78,20 +112,28 @@ impl<'a> CameraRays<'a> {
 
     /// Tells of all rays that have been asked for and not yet told.
     pub(crate) fn tell(&mut self, told: &mut impl FnMut(usize, Color)) {
-        let Self { tracer, rays, pixels, points, lit, .. } = self;
+        let Self { tracer, lost, samples, rays, lit, .. } = self;
         let hits = &mut self.hits[..rays.len()];
         tracer.camera_hits(rays, hits);
-        for ((ray, hit), (_, seen)) in rays.iter().zip(&*hits).zip(&mut *points) {
-            *seen = hit.as_ref().map(|hit| tracer.seen(ray, hit));
+        // What those rays see that meet something.
+        let mut points = Vec::with_capacity(rays.len());
+        for (number, (ray, hit)) in rays.iter().zip(&*hits).enumerate() {
+            if let Some(hit) = hit {
+                points.push(Point { ray: number, samples, seen: tracer.seen(ray, hit) });
+            }
         }
-        lit.ask(tracer, points);
-        for (number, ((ray, &pixel), (sample, seen))) in rays.iter().zip(&*pixels).zip(&*points).enumerate() {
-            let color = tracer.camera_color(sample, ray, seen.as_ref(), lit.at(number));
-            told(pixel, self.lost.checked(color, sample.pixel));
+        lit.ask(tracer, &points);
+        let colors = &mut self.colors[..rays.len()];
+        colors.fill(tracer.background());
+        for (number, point) in points.iter().enumerate() {
+            colors[point.ray] = tracer.camera_color(&rays[point.ray], point, lit.at(number));
         }
+        for (&color, &of_ray) in colors.iter().zip(&samples.of_rays) {
+            let pixel = &samples.pixels[of_ray as usize];
+            told(pixel.number, lost.checked(color, || pixel.first_sample.pixel));
+        }
+        samples.clear();
         rays.clear();
-        pixels.clear();
-        points.clear();
     }
 
     /// The rays of all kinds traced since this was last asked, and the camera rays lost.

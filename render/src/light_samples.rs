@@ -71,13 +71,16 @@ impl<'a> LightPlan<'a> {
     }
 
     /// The light to ask at a point in the given turn; `None` after the last.
-    pub(crate) fn light(&self, number: u32, path: u32, sampler: Sampler, sample: Sample) -> Option<PointLight> {
+    pub(crate) fn light(
+        &self,
+        number: u32,
+        path: u32,
+        sampler: Sampler,
+        sample: impl Fn() -> Sample,
+    ) -> Option<PointLight> {
         let Some(draws) = &self.draws else { return self.lights.get(number as usize).copied() };
-        let draw = draws.get(number as usize)?;
-        let lights = &self.lights[draw.lights.clone()];
-        let chosen = if draw.turns as usize == lights.len() {
-            draw.turn as usize
-        } else {
+        draws.get(number as usize)?.light(self.lights, |draw, lights| {
+            let sample = sample();
             let wanted = Sample {
                 zones: 1,
                 count: sample.count.saturating_mul(draw.turns),
@@ -85,10 +88,25 @@ impl<'a> LightPlan<'a> {
                 purpose: Purpose::Light { cluster: draw.cluster, path },
                 ..sample
             };
-            (wanted.point(sampler).x * lights.len() as f64) as usize
-        };
+            Some((wanted.point(sampler).x * lights as f64) as usize)
+        })
+    }
+
+    /// The same, if no chance is in it: the light is then that of every point.
+    pub(crate) fn of_all(&self, number: u32) -> Option<PointLight> {
+        let Some(draws) = &self.draws else { return self.lights.get(number as usize).copied() };
+        draws.get(number as usize)?.light(self.lights, |_, _| None)
+    }
+}
+
+impl Draw {
+    /// The light drawn: all in turn, or one by chance, which is given the draw and the number of lights.
+    fn light(&self, lights: &[PointLight], by_chance: impl Fn(&Self, usize) -> Option<usize>) -> Option<PointLight> {
+        let lights = &lights[self.lights.clone()];
+        let in_turn = self.turns as usize == lights.len();
+        let chosen = if in_turn { self.turn as usize } else { by_chance(self, lights.len())? };
         let light = *lights.get(chosen)?;
-        Some(PointLight { color: light.color * (lights.len() as f32 / draw.turns as f32), ..light })
+        Some(PointLight { color: light.color * (lights.len() as f32 / self.turns as f32), ..light })
     }
 }
 

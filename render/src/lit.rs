@@ -1,11 +1,8 @@
 use geometry::Ray;
 use glam::Vec3;
-use shading::{Color, Incident};
+use shading::{Color, Incident, LightFormula, PointLight};
 
-use crate::{
-    Sample,
-    tracer::{Seen, Tracer},
-};
+use crate::tracer::{Point, Tracer};
 
 /// What the lights bring to what camera rays see: asked light by light, for many points together.
 ///
@@ -18,28 +15,39 @@ use crate::{
 /// A point's shader is then told what it would have been told, had it asked itself.
 #[derive(Default)]
 pub(crate) struct Lit {
-    /// Places for what each point's lights bring; each has as many as there are lights, and takes the first.
+    /// Places for what each point's lights bring, as many as there are lights. In the end those that reach it stand first, in the lights' order.
     incidents: Vec<Incident>,
-    places: usize,
-    /// What was found at each point; `None` if it was not asked for.
-    found: Vec<Option<Found>>,
-    /// Which points one light is asked for, and the segments to it that must be free.
-    asked: Vec<usize>,
-    segments: Vec<Ray>,
+    /// What was found at each point.
+    found: Vec<Found>,
+    lights: Vec<Asked>,
     blocked: Vec<bool>,
 }
 
-#[derive(Clone, Copy, Default)]
+/// One light.
+#[derive(Default)]
+struct Asked {
+    /// The light, if it is the same for all points.
+    same: Option<PointLight>,
+    /// Which points it is asked for, and the segments to it that must be free.
+    points: Vec<usize>,
+    segments: Vec<Ray>,
+}
+
+#[derive(Clone, Copy)]
 struct Found {
+    /// `None` if the point's shader does not ask, and nothing was asked.
+    formula: Option<LightFormula>,
     /// How many segments were asked about.
     segments: usize,
-    /// How many of the point's places are taken, by lights that reach it.
-    taken: usize,
+    /// How many lights reach the point.
+    reached: usize,
 }
 
 /// What the lights bring to a point.
 #[derive(Clone, Copy)]
 pub(crate) struct LitPoint<'a> {
+    /// By which formula.
+    pub(crate) formula: LightFormula,
     /// In the lights' order.
     pub(crate) incidents: &'a [Incident],
     /// How many shadow rays it took.
@@ -50,50 +58,70 @@ pub(crate) struct LitPoint<'a> {
 const NOTHING: Incident = Incident { direction: Vec3::ZERO, cosine: 0.0, color: Color::BLACK };
 
 impl Lit {
+    pub(crate) fn new(tracer: &Tracer<'_>) -> Self {
+        let asked = |number| Asked { same: tracer.light_of_all(number), ..Asked::default() };
+        Self { lights: (0..tracer.lights_asked() as u32).map(asked).collect(), ..Self::default() }
+    }
+
     /// Forgets what was asked before, and asks for those of the points whose shaders ask lights.
-    pub(crate) fn ask(&mut self, tracer: &Tracer<'_>, points: &[(Sample, Option<Seen>)]) {
-        self.places = tracer.lights_asked();
+    pub(crate) fn ask(&mut self, tracer: &Tracer<'_>, points: &[Point<'_>]) {
         self.found.clear();
-        self.found.extend(points.iter().map(|(_, seen)| {
-            let asks = self.places > 0 && seen.as_ref().is_some_and(|seen| tracer.asks_lights(seen));
-            asks.then(Found::default)
-        }));
-        if self.found.iter().all(Option::is_none) {
+        if self.lights.is_empty() {
             return;
         }
-        self.incidents.resize(points.len() * self.places, NOTHING);
-        for number in 0..self.places as u32 {
-            self.ask_light(number, tracer, points);
+        self.incidents.resize(points.len() * self.lights.len(), NOTHING);
+        for (place, point) in points.iter().enumerate() {
+            let formula = point.seen.shader.asks_lights();
+            let segments = formula.map_or(0, |formula| self.ask_for(place, point, formula, tracer));
+            self.found.push(Found { formula, segments, reached: 0 });
+        }
+        for number in 0..self.lights.len() {
+            self.follow(number, tracer);
         }
     }
 
-    fn ask_light(&mut self, number: u32, tracer: &Tracer<'_>, points: &[(Sample, Option<Seen>)]) {
-        self.asked.clear();
-        self.segments.clear();
-        for (point, ((sample, seen), found)) in points.iter().zip(&mut self.found).enumerate() {
-            if let (Some(seen), Some(found)) = (seen, found)
-                && let Some((incident, segment)) = tracer.arriving(number, sample, seen)
-            {
-                found.segments += 1;
-                // In the next free place, taken only if nothing is in the way.
-                self.incidents[point * self.places + found.taken] = incident;
-                self.asked.push(point);
-                self.segments.push(segment);
+    /// Asks all lights for a point; returns how many of them may reach it.
+    fn ask_for(&mut self, place: usize, point: &Point<'_>, formula: LightFormula, tracer: &Tracer<'_>) -> usize {
+        let first = place * self.lights.len();
+        let facing = tracer.facing(formula, point);
+        let mut segments = 0;
+        for (number, asked) in self.lights.iter_mut().enumerate() {
+            let arriving = |light: &PointLight| tracer.arriving(formula, &facing, point, light);
+            let found = match &asked.same {
+                Some(light) => arriving(light),
+                None => tracer.light_of(number as u32, point).and_then(|light| arriving(&light)),
+            };
+            if let Some((incident, segment)) = found {
+                self.incidents[first + number] = incident;
+                asked.points.push(place);
+                asked.segments.push(segment);
+                segments += 1;
             }
         }
-        self.blocked.resize(self.segments.len(), false);
-        tracer.blocked_many(&self.segments, &mut self.blocked);
-        for (&point, &blocked) in self.asked.iter().zip(&self.blocked) {
-            if !blocked && let Some(found) = &mut self.found[point] {
-                found.taken += 1;
+        segments
+    }
+
+    /// Follows the segments to a light, and keeps what it brings where nothing is in the way.
+    fn follow(&mut self, number: usize, tracer: &Tracer<'_>) {
+        let lights = self.lights.len();
+        let Asked { points, segments, .. } = &mut self.lights[number];
+        self.blocked.resize(segments.len(), false);
+        tracer.blocked_many(segments, &mut self.blocked);
+        for (&point, &blocked) in points.iter().zip(&self.blocked) {
+            if !blocked {
+                let (reached, first) = (&mut self.found[point].reached, point * lights);
+                self.incidents[first + *reached] = self.incidents[first + number];
+                *reached += 1;
             }
         }
+        points.clear();
+        segments.clear();
     }
 
     /// What arrives at a point; `None` if it was not asked for.
     pub(crate) fn at(&self, point: usize) -> Option<LitPoint<'_>> {
-        let Found { segments, taken } = self.found[point]?;
-        let first = point * self.places;
-        Some(LitPoint { incidents: &self.incidents[first..first + taken], segments })
+        let &Found { formula, segments, reached } = self.found.get(point)?;
+        let first = point * self.lights.len();
+        Some(LitPoint { formula: formula?, incidents: &self.incidents[first..first + reached], segments })
     }
 }

@@ -2,9 +2,9 @@ use std::cell::Cell;
 
 use geometry::{Hit, Ray, Surface};
 use glam::{DVec2, Vec2, Vec3};
-use shading::{Bounces, Color, Incident, PointLight, ShadingPoint, World};
+use shading::{Bounces, Color, Facing, Incident, LightFormula, PointLight, Shader, ShadingPoint, World};
 
-use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings, lit::LitPoint};
+use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings, camera_rays::Samples, lit::LitPoint};
 
 /// Follows rays through a scene and counts them. Each thread has its own, so that counting costs the others nothing.
 pub(crate) struct Tracer<'a> {
@@ -26,7 +26,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Adds rays of a pixel as they leave the camera: this sample's and the next ones', as many as there is room for places in the pixel.
-    pub(crate) fn camera_rays(&self, first: Sample, in_pixel: &mut [DVec2], rays: &mut Vec<Ray>) {
+    pub(crate) fn camera_rays(&self, first: Sample, [in_pixel, on_lens]: [&mut [DVec2]; 2], rays: &mut Vec<Ray>) {
         let Scene { camera, raster, sampler, .. } = self.scene;
         let corner = DVec2::new(f64::from(first.pixel[0]), f64::from(first.pixel[1]));
         if first.count == 1 {
@@ -35,9 +35,15 @@ impl<'a> Tracer<'a> {
         } else {
             sampler(Sample { purpose: Purpose::Pixel, ..first }, in_pixel);
         }
-        for (&in_pixel, index) in in_pixel.iter().zip(first.index..) {
-            let on_lens = || Sample { purpose: Purpose::Lens, index, ..first }.point(*sampler);
-            rays.push(camera.ray(raster.film(corner + in_pixel, self.settings.size), &on_lens));
+        let film = |in_pixel: DVec2| raster.film(corner + in_pixel, self.settings.size);
+        let lens = Sample { purpose: Purpose::Lens, ..first };
+        if camera.has_lens() {
+            sampler(lens, on_lens);
+            rays.extend(in_pixel.iter().zip(&*on_lens).map(|(&at, &on_lens)| camera.ray(film(at), &|| on_lens)));
+        } else {
+            // A camera may ask all the same.
+            let on_lens = |number| Sample { index: first.index + number as u32, ..lens }.point(*sampler);
+            rays.extend(in_pixel.iter().enumerate().map(|(number, &at)| camera.ray(film(at), &|| on_lens(number))));
         }
     }
 
@@ -48,23 +54,25 @@ impl<'a> Tracer<'a> {
     }
 
     /// What a ray sees where it meets something.
-    pub(crate) fn seen(&self, ray: &Ray, hit: &Hit) -> Seen {
+    pub(crate) fn seen(&self, ray: &Ray, hit: &Hit) -> Seen<'a> {
         let length = ray.direction.length();
-        let surface = self.scene.surface(ray, hit);
-        Seen { hit: *hit, surface, direction: ray.direction / length, distance: hit.t * length }
+        Seen {
+            hit: *hit,
+            surface: self.scene.surface(ray, hit),
+            direction: ray.direction / length,
+            distance: hit.t * length,
+            shader: self.scene.shader(hit.primitive),
+        }
     }
 
-    /// The light that comes into the camera along a ray that sees this; `lit` is what the lights bring there, where that is known.
-    pub(crate) fn camera_color(
-        &self,
-        sample: &Sample,
-        ray: &Ray,
-        seen: Option<&Seen>,
-        lit: Option<LitPoint<'_>>,
-    ) -> Color {
-        let Some(seen) = seen else { return self.scene.background };
-        let known = lit.map(|lit| (seen, lit));
-        RayTree { tracer: self, sample, known }.color(ray, seen, self.scene.bounces)
+    /// What camera rays see that meet nothing.
+    pub(crate) fn background(&self) -> Color {
+        self.scene.background
+    }
+
+    /// The light that comes into the camera along a ray; `lit` is what the lights bring to what it sees, where that is known.
+    pub(crate) fn camera_color(&self, ray: &Ray, point: &Point<'_>, lit: Option<LitPoint<'_>>) -> Color {
+        RayTree { tracer: self, point, known: lit }.color(ray, &point.seen, self.scene.bounces)
     }
 
     /// How many lights are asked at a point.
@@ -72,17 +80,33 @@ impl<'a> Tracer<'a> {
         self.lights.asked()
     }
 
-    /// Whether what is seen asks lights.
-    pub(crate) fn asks_lights(&self, seen: &Seen) -> bool {
-        self.scene.shader(seen.hit.primitive).asks_lights()
+    /// The light that is asked in the given turn at whatever a camera ray sees, if it is the same for all.
+    pub(crate) fn light_of_all(&self, number: u32) -> Option<PointLight> {
+        self.lights.of_all(number)
     }
 
-    /// What the numbered light brings to what a camera ray sees, where nothing is in its way: see [`ShadingPoint::arriving`].
-    pub(crate) fn arriving(&self, number: u32, sample: &Sample, seen: &Seen) -> Option<(Incident, Ray)> {
-        let tree = RayTree { tracer: self, sample, known: None };
-        let bounces = self.scene.bounces;
-        let light = tree.light(number, bounces.path)?;
-        tree.point(seen, bounces, &|| Vec2::ZERO).arriving(&light)
+    /// The light that is asked in the given turn at what a camera ray sees.
+    pub(crate) fn light_of(&self, number: u32, point: &Point<'_>) -> Option<PointLight> {
+        self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || point.samples.of(point.ray))
+    }
+
+    /// What a camera ray sees, made ready for a formula.
+    #[inline]
+    pub(crate) fn facing(&self, formula: LightFormula, point: &Point<'_>) -> Facing {
+        let tree = RayTree { tracer: self, point, known: None };
+        formula.facing(&tree.point(&point.seen, self.scene.bounces, &|| Vec2::ZERO))
+    }
+
+    /// What a light brings to what a camera ray sees, where nothing is in its way: see [`LightFormula::arriving`].
+    #[inline]
+    pub(crate) fn arriving(
+        &self,
+        formula: LightFormula,
+        facing: &Facing,
+        point: &Point<'_>,
+        light: &PointLight,
+    ) -> Option<(Incident, Ray)> {
+        formula.arriving(facing, &point.seen.surface, self.scene.ray_origin, light)
     }
 
     /// Whether something is in the way of each segment. They count when a shader asks.
@@ -97,31 +121,40 @@ impl<'a> Tracer<'a> {
     }
 }
 
+/// What a camera ray sees.
+pub(crate) struct Point<'a> {
+    /// The ray's number among those that are traced together, and which samples these are.
+    pub(crate) ray: usize,
+    pub(crate) samples: &'a Samples,
+    pub(crate) seen: Seen<'a>,
+}
+
 /// What a ray sees where it meets something.
-pub(crate) struct Seen {
+pub(crate) struct Seen<'a> {
     hit: Hit,
     surface: Surface,
     /// As in [`ShadingPoint`].
     direction: Vec3,
     distance: f32,
+    pub(crate) shader: &'a dyn Shader,
 }
 
 /// All that is seen by one camera ray: the rays that come of it.
 struct RayTree<'a> {
     tracer: &'a Tracer<'a>,
-    sample: &'a Sample,
-    /// What the camera ray sees, and what the lights bring there.
-    known: Option<(&'a Seen, LitPoint<'a>)>,
+    /// What the camera ray sees, and what the lights bring there, where that is known.
+    point: &'a Point<'a>,
+    known: Option<LitPoint<'a>>,
 }
 
 impl RayTree<'_> {
     /// The light that comes back along a ray from what it sees.
-    fn color(&self, ray: &Ray, seen: &Seen, bounces: Bounces) -> Color {
+    fn color(&self, ray: &Ray, seen: &Seen<'_>, bounces: Bounces) -> Color {
         let scene = self.tracer.scene;
-        scene.shader(seen.hit.primitive).radiance(&self.point(seen, bounces, &|| scene.uv(ray, &seen.hit)))
+        seen.shader.radiance(&self.point(seen, bounces, &|| scene.uv(ray, &seen.hit)))
     }
 
-    fn point<'t>(&'t self, seen: &'t Seen, bounces: Bounces, uv: &'t dyn Fn() -> Vec2) -> ShadingPoint<'t> {
+    fn point<'t>(&'t self, seen: &'t Seen<'_>, bounces: Bounces, uv: &'t dyn Fn() -> Vec2) -> ShadingPoint<'t> {
         let &Seen { ref surface, direction, distance, .. } = seen;
         ShadingPoint {
             world: self,
@@ -137,7 +170,7 @@ impl RayTree<'_> {
 
 impl World for RayTree<'_> {
     fn light(&self, number: u32, path: u32) -> Option<PointLight> {
-        self.tracer.lights.light(number, path, self.tracer.scene.sampler, *self.sample)
+        self.tracer.lights.light(number, path, self.tracer.scene.sampler, || self.point.samples.of(self.point.ray))
     }
 
     fn ambient(&self) -> Option<f32> {
@@ -158,13 +191,14 @@ impl World for RayTree<'_> {
             .map_or(scene.secondary_background, |hit| self.color(ray, &self.tracer.seen(ray, &hit), bounces))
     }
 
-    fn lit(&self, at: &ShadingPoint<'_>) -> Option<&[Incident]> {
-        let (seen, lit) = self.known?;
+    fn lit(&self, at: &ShadingPoint<'_>, formula: LightFormula) -> Option<&[Incident]> {
+        let (seen, lit) = (&self.point.seen, self.known.as_ref()?);
         let scene = self.tracer.scene;
         let is_seen = std::ptr::eq(at.surface, &raw const seen.surface)
             && at.direction == seen.direction
             && at.bounces.path == scene.bounces.path
-            && std::ptr::fn_addr_eq(at.ray_origin, scene.ray_origin);
+            && std::ptr::fn_addr_eq(at.ray_origin, scene.ray_origin)
+            && formula == lit.formula;
         if !is_seen {
             return None;
         }

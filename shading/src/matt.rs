@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use crate::{Color, Shader, ShadingPoint, Texture, optics::reflect};
+use crate::{Color, LightFormula, Shader, ShadingPoint, Texture, optics::reflect};
 
 /// One colour over the whole surface, lit and shadowed, without a highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +21,8 @@ impl Shader for Constant {
         self.color * light
     }
 
-    fn asks_lights(&self) -> bool {
-        true
+    fn asks_lights(&self) -> Option<LightFormula> {
+        Some(LightFormula::Report)
     }
 }
 
@@ -60,8 +60,8 @@ impl Shader for Phong {
         matt + self.specular * highlight
     }
 
-    fn asks_lights(&self) -> bool {
-        true
+    fn asks_lights(&self) -> Option<LightFormula> {
+        Some(LightFormula::Report)
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::{Color, ShadingPoint};
+use crate::{Color, LightFormula, ShadingPoint};
 
 /// What a surface looks like.
 pub trait Shader: Send + Sync {
@@ -10,9 +10,10 @@ pub trait Shader: Send + Sync {
         true
     }
 
-    /// Whether [`Self::radiance`] asks for [`ShadingPoint::lit`], nearly always. A hint, without influence on the picture: lights are then
-    /// asked for many points together, which is faster, and in vain where the shader does not.
-    fn asks_lights(&self) -> bool {
-        false
+    /// By which formula [`Self::radiance`] asks what the lights bring ([`ShadingPoint::lit_by`]), if nearly always it does; that of
+    /// [`ShadingPoint::lit`] is [`LightFormula::Report`]. A hint, without influence on the picture: lights are then asked for many points
+    /// together, which is faster, and in vain where the shader does not.
+    fn asks_lights(&self) -> Option<LightFormula> {
+        None
     }
 }

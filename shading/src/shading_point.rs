@@ -1,7 +1,7 @@
 use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
-use crate::{Bounces, Color, PointLight, World, optics};
+use crate::{Bounces, Color, Incident, LightFormula, World, optics};
 
 /// A point that is to be coloured, and what can be asked there.
 pub struct ShadingPoint<'a> {
@@ -19,17 +19,6 @@ pub struct ShadingPoint<'a> {
     pub uv: &'a dyn Fn() -> Vec2,
     /// How often the ray may still bounce.
     pub bounces: Bounces,
-}
-
-/// The light that arrives from one light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Incident {
-    /// The unit direction to the light.
-    pub direction: Vec3,
-    /// The cosine between it and the normal, greater than 0.
-    pub cosine: f32,
-    /// How much arrives.
-    pub color: Color,
 }
 
 impl ShadingPoint<'_> {
@@ -50,34 +39,30 @@ impl ShadingPoint<'_> {
         if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
     }
 
+    /// The geometric normal on the viewer's side.
+    #[inline]
+    pub fn outward(&self) -> Vec3 {
+        let normal = self.surface.geometric_normal;
+        if self.is_inside() { -normal } else { normal }
+    }
+
     /// The lights that the point sees, with what arrives from each. Lights behind the surface are not seen, nor lights
     /// behind something opaque.
     pub fn lit(&self) -> impl Iterator<Item = Incident> {
-        let known = self.world.lit(self);
+        self.lit_by(LightFormula::Report)
+    }
+
+    /// As [`Self::lit`], by another formula.
+    pub fn lit_by(&self, formula: LightFormula) -> impl Iterator<Item = Incident> {
+        let known = self.world.lit(self, formula);
         let asked = known.is_none().then(|| {
+            let facing = formula.facing(self);
             let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
-            let arriving = lights.filter_map(|light| self.arriving(&light));
+            let arriving =
+                lights.filter_map(move |light| formula.arriving(&facing, self.surface, self.ray_origin, &light));
             arriving.filter(|(_, segment)| !self.world.blocked(segment)).map(|(incident, _)| incident)
         });
         known.unwrap_or_default().iter().copied().chain(asked.into_iter().flatten())
-    }
-
-    /// What arrives from a light where nothing is in its way, and the segment to the light that must be free for that. `None` if the light is
-    /// behind the surface, or too far to count: then no shadow ray is needed.
-    #[inline]
-    pub fn arriving(&self, light: &PointLight) -> Option<(Incident, Ray)> {
-        let geometric = self.surface.geometric_normal;
-        let outward = if self.is_inside() { -geometric } else { geometric };
-        let to_light = light.position - self.surface.position;
-        let distance = to_light.length();
-        let direction = to_light / distance;
-        let cosine = direction.dot(self.normal());
-        // Also false where the light stands just at the point.
-        if !(cosine > 0.0 && direction.dot(outward) > 0.0) {
-            return None;
-        }
-        let color = light.at_distance(distance);
-        (color != Color::BLACK).then(|| (Incident { direction, cosine, color }, self.ray_towards(light.position)))
     }
 
     /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.

@@ -9,18 +9,45 @@ pub fn decode(encoded: f32) -> f32 {
 
 /// A byte as a linear value: right to 0.51 ulp.
 pub fn decode_byte(encoded: u8) -> f32 {
+    linear_bytes()[usize::from(encoded)]
+}
+
+/// The linear values of all bytes.
+pub(crate) fn linear_bytes() -> &'static [f32; 256] {
     static LINEAR: LazyLock<[f32; 256]> =
         LazyLock::new(|| std::array::from_fn(|byte| curve(byte as f64 / 255.0) as f32));
-    LINEAR[usize::from(encoded)]
+    &LINEAR
 }
 
 /// A linear value as the nearest byte, of every value there is; below 0 and NaN are 0, above 1 is 255.
 ///
 /// Nearest on the encoded scale: the byte is the number of steps, at the linear values of 0.5 / 255, 1.5 / 255 ..., that lie at or below.
 pub fn encode_byte(linear: f32) -> u8 {
-    static STEPS: LazyLock<[f32; 255]> =
-        LazyLock::new(|| std::array::from_fn(|step| first_above(curve((step as f64 + 0.5) / 255.0))));
-    STEPS.partition_point(|&step| step <= linear) as u8
+    static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
+    let Steps { steps, below } = &*STEPS;
+    let byte = below[((linear * CELLS as f32) as usize).min(CELLS)];
+    byte + u8::from(steps[usize::from(byte)] <= linear)
+}
+
+/// From 0 to 1 there are so many cells, none with more than one step in it: the two nearest steps are 3.03e-4 apart.
+const CELLS: usize = 4096;
+
+struct Steps {
+    /// The steps, and a NaN: above 255 there is none.
+    steps: [f32; 256],
+    /// How many steps lie at or below the start of each cell, and below 1.
+    below: [u8; CELLS + 1],
+}
+
+impl Steps {
+    fn new() -> Self {
+        let mut steps = [f32::NAN; 256];
+        for (step, first) in steps[..255].iter_mut().enumerate() {
+            *first = first_above(curve((step as f64 + 0.5) / 255.0));
+        }
+        let below = |cell| steps[..255].partition_point(|&step| step <= cell as f32 / CELLS as f32) as u8;
+        Self { steps, below: std::array::from_fn(below) }
+    }
 }
 
 fn curve(encoded: f64) -> f64 {
@@ -42,6 +69,13 @@ mod tests {
         for byte in 0..=255 {
             assert_eq!(encode_byte(decode_byte(byte)), byte);
         }
+    }
+
+    #[test]
+    fn no_cell_has_two_steps_in_it() {
+        let Steps { below, .. } = Steps::new();
+        assert!(below.windows(2).all(|pair| pair[1] - pair[0] <= 1));
+        assert_eq!((below[0], below[CELLS]), (0, 255));
     }
 
     #[test]

@@ -52,10 +52,6 @@ impl ImageTexture {
     pub fn texel_bytes(&self, column: usize, row: usize) -> [u8; 3] {
         self.texels[row * self.width + column]
     }
-
-    fn texel(&self, column: usize, row: usize) -> Color {
-        self.texel_bytes(column, row).map(srgb::decode_byte).into()
-    }
 }
 
 impl Texture for ImageTexture {
@@ -72,8 +68,10 @@ impl Texture for ImageTexture {
         let uv = uv();
         let (left, right, fx) = neighbours(uv.x, self.width);
         let (top, bottom, fy) = neighbours(1.0 - uv.y, self.height);
-        let upper = self.texel(left, top) * (1.0 - fx) + self.texel(right, top) * fx;
-        let lower = self.texel(left, bottom) * (1.0 - fx) + self.texel(right, bottom) * fx;
+        let linear = srgb::linear_bytes();
+        let texel = |column, row| Color::from(self.texel_bytes(column, row).map(|byte| linear[usize::from(byte)]));
+        let upper = texel(left, top) * (1.0 - fx) + texel(right, top) * fx;
+        let lower = texel(left, bottom) * (1.0 - fx) + texel(right, bottom) * fx;
         upper * (1.0 - fy) + lower * fy
     }
 }
@@ -82,8 +80,13 @@ impl Texture for ImageTexture {
 fn neighbours(coordinate: f32, count: usize) -> (usize, usize, f32) {
     let place = (coordinate - coordinate.floor()) * count as f32 - 0.5;
     let first = place.floor();
-    let wrap = |index: f32| (index as isize).rem_euclid(count as isize) as usize;
-    (wrap(first), wrap(first + 1.0), if place.is_nan() { 0.0 } else { place - first })
+    // From -1 to `count`: one step is enough, and cheaper than a division.
+    let wrap = |index: isize| match index {
+        ..0 => count - 1,
+        _ if index as usize >= count => 0,
+        _ => index as usize,
+    };
+    (wrap(first as isize), wrap(first as isize + 1), if place.is_nan() { 0.0 } else { place - first })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 use geometry::Ray;
 
-use crate::{Bounces, Color, Incident, PointLight, ShadingPoint};
+use crate::{Bounces, Color, Incident, LightFormula, PointLight, ShadingPoint};
 
 /// What a shader may ask of the scene around a point.
 pub trait World {
@@ -16,9 +16,9 @@ pub trait World {
     /// The light that comes back along a ray.
     fn trace(&self, ray: &Ray, bounces: Bounces) -> Color;
 
-    /// What [`ShadingPoint::lit`] finds at a point, where that is known: whoever renders may have asked for many points together. For this very
-    /// point, not for one whose surface, say, a shader has changed. A world that knows nothing beforehand says nothing.
-    fn lit(&self, _at: &ShadingPoint<'_>) -> Option<&[Incident]> {
+    /// What [`ShadingPoint::lit_by`] finds at a point, where that is known: whoever renders may have asked for many points together. For this very
+    /// point and formula, not for a point whose surface, say, a shader has changed. A world that knows nothing beforehand says nothing.
+    fn lit(&self, _at: &ShadingPoint<'_>, _formula: LightFormula) -> Option<&[Incident]> {
         None
     }
 }

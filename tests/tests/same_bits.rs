@@ -8,7 +8,7 @@ use geometry::{Hit, Interval, Primitives, Ray, Surface};
 use glam::Vec3;
 use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, Shaders, render};
 use scene_format::scene_file::BucketOrder;
-use shading::{Bounces, Color, Shader, ShadingPoint, SoftShadows};
+use shading::{Bounces, Color, LightFormula, Shader, ShadingPoint, SoftShadows};
 use tests::Rendering;
 
 /// A textured one with meshes, one of glass and mirrors, one with depth of field, one with soft shadows.
@@ -135,8 +135,8 @@ impl Shader for Asking {
         (self.change)(at, &|at| self.matt.radiance(at))
     }
 
-    fn asks_lights(&self) -> bool {
-        self.says_so
+    fn asks_lights(&self) -> Option<LightFormula> {
+        self.says_so.then_some(LightFormula::Report)
     }
 }
 
@@ -148,7 +148,7 @@ fn saying_nothing<const INDEX: usize>(color: Color) -> Box<dyn Shader> {
     Box::new(Asking { matt: shading::Constant { color }, change: CHANGES[INDEX].1, says_so: false })
 }
 
-const CHANGES: [(&str, Change); 7] = [
+const CHANGES: [(&str, Change); 8] = [
     ("nothing", |at, light| light(at)),
     ("asks twice", |at, light| light(at) + light(at)),
     ("asks never", |at, _| Color::grey(at.distance)),
@@ -160,6 +160,7 @@ const CHANGES: [(&str, Change); 7] = [
     ("the other side", |at, light| light(&ShadingPoint { direction: -at.direction, ..*at })),
     ("another path", |at, light| light(&ShadingPoint { bounces: Bounces { path: 9, ..at.bounces }, ..*at })),
     ("another origin", |at, light| light(&ShadingPoint { ray_origin: |surface, _| surface.position, ..*at })),
+    ("another formula", |at, _| at.lit_by(LightFormula::Sunflow).map(|light| light.color).sum()),
 ];
 
 /// The same picture, and as many rays counted, whether the shader says so or not.
@@ -181,6 +182,28 @@ fn a_shader_that_says_what_it_asks_gives_the_same_bits_whatever_it_asks() {
     hinted::<4>();
     hinted::<5>();
     hinted::<6>();
+    hinted::<7>();
+}
+
+/// A shader of Sunflow's that does not say how it asks for lights.
+struct Silent(Box<dyn Shader>);
+
+impl Shader for Silent {
+    fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        self.0.radiance(at)
+    }
+}
+
+#[test]
+fn lighting_by_sunflow_has_the_same_bits_whether_its_shaders_say_what_they_ask() {
+    let with = Modules::default().lit_as_by_sunflow();
+    let phong: fn(_, _, _) -> Box<dyn Shader> =
+        |diffuse, specular, exponent| Box::new(Silent((Shaders::sunflow().phong)(diffuse, specular, exponent)));
+    let without = Modules { shaders: Shaders { phong, ..with.shaders }, ..with };
+    let [with, without] = [with, without].map(|modules| assembled("spheres64", modules));
+    for settings in all(&with.settings) {
+        assert_same("spheres64", "lit by Sunflow", &film(&without, &settings), &film(&with, &settings));
+    }
 }
 
 #[test]

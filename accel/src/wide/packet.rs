@@ -11,10 +11,12 @@
 //!
 //! In a leaf it is the same: of a block's triangles those are left that not all rays see on one side. Each is tested sixteen rays in a
 //! step; or, where fewer rays than triangles are left, each ray against all eight as in [`super::traverse`]. The nearest hits, one of
-//! each ray, are computed in `f64` at the end, all in the same steps ([`geometry::intersect_lanes`]).
+//! each ray, are computed in `f64` at the end, all in the same steps ([`geometry::intersect_lanes`]). Of what is asked one by one, spheres are
+//! asked by all rays in the same steps, too ([`geometry::meet_sphere_lanes`]).
 
 mod any;
 mod closest;
+mod spheres;
 
 use geometry::{Interval, Ray};
 

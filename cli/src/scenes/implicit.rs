@@ -1,5 +1,6 @@
 use super::mesh::Mesh;
 use glam::{DVec3, UVec3};
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// The surface where `field` is 0, with the negative side as its inside, as a closed mesh: by marching tetrahedra (Doi and
@@ -7,12 +8,15 @@ use std::collections::HashMap;
 ///
 /// Each cube is cut into the six tetrahedra around its diagonal, one for each order of the three axes, so that neighbours
 /// share their faces' cuts and the mesh has no gaps. Points on an edge keep away from its ends: no triangle shrinks to a line.
-pub(super) fn mesh(field: &dyn Fn(DVec3) -> f64, low: DVec3, high: DVec3, cell: f64) -> Mesh {
+///
+/// All threads ask the field, which takes most of the time; what they find is put together in the same order for any number of them.
+pub(super) fn mesh(field: &(dyn Fn(DVec3) -> f64 + Sync), low: DVec3, high: DVec3, cell: f64) -> Mesh {
     let cells = ((high - low) / cell).ceil().as_uvec3();
     let samples = cells + 1;
     let index = |at: UVec3| (at.z * samples.y + at.y) * samples.x + at.x;
     let place = |at: UVec3| low + at.as_dvec3() * cell;
-    let values: Vec<f64> = positions(samples).map(|at| field(place(at))).collect();
+    let places: Vec<_> = positions(samples).map(place).collect();
+    let values: Vec<f64> = places.par_iter().map(|&at| field(at)).collect();
 
     let mut marching = Marching { mesh: Mesh::default(), on_edge: HashMap::new() };
     for at in positions(cells) {
@@ -28,7 +32,7 @@ pub(super) fn mesh(field: &dyn Fn(DVec3) -> f64, low: DVec3, high: DVec3, cell: 
         }
     }
     let mut mesh = marching.mesh;
-    mesh.normals = mesh.points.iter().map(|&point| gradient(field, point, 0.1 * cell).normalize()).collect();
+    mesh.normals = mesh.points.par_iter().map(|&point| gradient(field, point, 0.1 * cell).normalize()).collect();
     mesh
 }
 

@@ -4,6 +4,7 @@
 //! The truth is [`geometry::conformance::exact`]'s: rational numbers, which round nowhere.
 
 mod sphere;
+mod sphere_lanes;
 mod surface;
 mod texture;
 mod triangle;

@@ -25,21 +25,34 @@ pub fn sobol(first: Sample, points: &mut [DVec2]) {
     let Sample { seed, pixel: [x, y], purpose, .. } = first;
     let set = hash([seed, x, y, purpose.number()]);
     let [order, across, down] = [0, 1, 2].map(|number| hash([set, number]));
-    for (number, point) in points.iter_mut().enumerate() {
-        let index = scrambled(first.index.wrapping_add(number as u32), order);
-        let x = laine_karras(index, across).reverse_bits();
-        let y = laine_karras(second_dimension(index), down).reverse_bits();
-        *point = DVec2::new(f64::from(x), f64::from(y)) * (1.0 / 4_294_967_296.0);
+    for (pair, points) in points.chunks_mut(2).enumerate() {
+        let first = first.index.wrapping_add(2 * pair as u32);
+        let [a, b] = reversed([first, first.wrapping_add(1)]);
+        let indices = reversed([laine_karras(a, order), laine_karras(b, order)]);
+        for ((point, x), y) in points.iter_mut().zip(indices).zip(second_dimension(indices)) {
+            let [x, y] = reversed([laine_karras(x, across), laine_karras(y, down)]);
+            *point = DVec2::new(f64::from(x), f64::from(y)) * (1.0 / 4_294_967_296.0);
+        }
     }
 }
 
-/// Owen's scrambling of a binary fraction: each bit is flipped or not, by chance, depending on all the higher ones. Of whole numbers it is another
-/// order that keeps each 2^k beginning with a multiple of 2^k together.
-fn scrambled(fraction: u32, seed: u32) -> u32 {
-    laine_karras(fraction.reverse_bits(), seed).reverse_bits()
+/// Two numbers as one of 64 bits, and back: what is done to the bits of both takes no more steps than one.
+fn both([a, b]: [u32; 2]) -> u64 {
+    u64::from(a) << 32 | u64::from(b)
 }
 
-/// A random permutation of 32 bits in which each depends on the lower ones alone. (Laine and Karras: Stratified Sampling for Stochastic
+fn each(both: u64) -> [u32; 2] {
+    [(both >> 32) as u32, both as u32]
+}
+
+/// Each with its bits in reverse.
+fn reversed([a, b]: [u32; 2]) -> [u32; 2] {
+    each(both([b, a]).reverse_bits())
+}
+
+/// A random permutation of 32 bits in which each depends on the lower ones alone: of a binary fraction whose first bit is lowest, Owen's
+/// scrambling, by which each is flipped or not, by chance, depending on all the higher ones. Of a whole number whose last bit is highest it is
+/// another order that keeps each 2^k beginning with a multiple of 2^k together. (Laine and Karras: Stratified Sampling for Stochastic
 /// Transparency, 2011; the constants by Vegdahl: Building a Better LK Hash, 2021.)
 fn laine_karras(mut bits: u32, seed: u32) -> u32 {
     bits ^= bits.wrapping_mul(0x3D20_ADEA);
@@ -49,14 +62,19 @@ fn laine_karras(mut bits: u32, seed: u32) -> u32 {
     bits ^ bits.wrapping_mul(0x53A2_2864)
 }
 
-/// Sobol's second dimension, the fraction's first bit lowest. (The first is the number itself.)
+/// Sobol's second dimension of two numbers, the fraction's first bit lowest. (The first is the number itself.)
 ///
 /// Its generator matrix is Pascal's triangle modulo 2: with the bits as coefficients of a polynomial, bit k becomes (1 + x)^k. That of a
 /// polynomial `A + x^16 B` is `A' + (1 + x^16) B'`, A' and B' being what becomes of its halves, which are cut in half in turn: five steps.
-fn second_dimension(index: u32) -> u32 {
-    const LOWER_HALVES: [(u32, u32); 5] =
-        [(16, 0x0000_FFFF), (8, 0x00FF_00FF), (4, 0x0F0F_0F0F), (2, 0x3333_3333), (1, 0x5555_5555)];
-    LOWER_HALVES.into_iter().fold(index, |bits, (half, lower)| bits ^ ((bits >> half) & lower))
+fn second_dimension(indices: [u32; 2]) -> [u32; 2] {
+    const LOWER_HALVES: [(u32, u64); 5] = [
+        (16, 0x0000_FFFF_0000_FFFF),
+        (8, 0x00FF_00FF_00FF_00FF),
+        (4, 0x0F0F_0F0F_0F0F_0F0F),
+        (2, 0x3333_3333_3333_3333),
+        (1, 0x5555_5555_5555_5555),
+    ];
+    each(LOWER_HALVES.into_iter().fold(both(indices), |bits, (half, lower)| bits ^ ((bits >> half) & lower)))
 }
 
 #[cfg(test)]
@@ -97,12 +115,21 @@ mod tests {
         }
     }
 
+    #[test]
+    fn points_asked_for_together_are_those_asked_for_one_by_one() {
+        for (first, count) in [(0, 1), (0, 3), (0, 4), (3, 5), (0, 16), (7, 37), (u32::MAX - 1, 4)] {
+            let mut together = vec![DVec2::ZERO; count];
+            sobol(sample(5, first), &mut together);
+            let one_by_one = |number| sample(5, first.wrapping_add(number)).point(sobol);
+            assert_eq!(together, (0..count as u32).map(one_by_one).collect::<Vec<_>>(), "{count} from {first} on");
+        }
+    }
+
     /// Published values: Joe and Kuo's table begins with these points.
     #[test]
     fn the_second_dimension_is_sobol_s() {
-        let found =
-            [0, 1, 2, 3, 4, 5, 6, 7].map(|index| f64::from(second_dimension(index).reverse_bits()) / 4_294_967_296.0);
-        assert_eq!(found, [0.0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875]);
+        let pair = |first| second_dimension([first, first + 1]).map(|y| f64::from(y.reverse_bits()) / 4_294_967_296.0);
+        assert_eq!([0, 2, 4, 6].map(pair), [[0.0, 0.5], [0.75, 0.25], [0.625, 0.125], [0.375, 0.875]]);
     }
 
     #[test]
@@ -110,7 +137,8 @@ mod tests {
         // Two fractions that first differ in bit k still do, and all bits above are alike.
         for (seed, k) in (0..32).flat_map(|k| [(1, k), (77, k)]) {
             let (one, other) = (0x1234_5678_u32, 0x1234_5678_u32 ^ (1 << k));
-            let difference = scrambled(one, hash([seed])) ^ scrambled(other, hash([seed]));
+            let scrambled = |fraction: u32| laine_karras(fraction.reverse_bits(), hash([seed])).reverse_bits();
+            let difference = scrambled(one) ^ scrambled(other);
             assert_eq!(difference.leading_zeros(), 31 - k, "bit {k}: {difference:x}");
         }
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::shaded::Shaded;
-use crate::{Color, Shader, ShadingPoint, Texture, matt::power};
+use crate::{Color, LightFormula, Shader, ShadingPoint, Texture, matt::power};
 
 /// A matt surface, of one colour or textured, with a highlight; black where no light reaches.
 #[derive(Clone)]
@@ -37,5 +37,9 @@ impl Shader for Phong {
         // No texture is looked up in the dark.
         let matt = if matt == Color::BLACK { matt } else { self.diffuse.color(at.uv) * matt };
         matt * (1.0 / PI) + self.specular * highlight * ((self.exponent + 2.0) / (2.0 * PI))
+    }
+
+    fn asks_lights(&self) -> Option<LightFormula> {
+        Some(LightFormula::Sunflow)
     }
 }

@@ -11,7 +11,17 @@ const LEAST_BIAS_IN_ULPS: f32 = 25.0;
 /// coordinate on the axis nearest to it. As a [`geometry::RayOrigin`].
 pub fn ray_origin(surface: &Surface, direction: DVec3) -> Vec3 {
     let normal = surface.geometric_normal;
-    let [nearness, position] = [normal.abs(), surface.position.abs()];
+    let position = surface.position.abs();
+    // Nearly always: no coordinate is so great that its units count.
+    let bias = if position.max_element() < FAR_OUT { LEAST_BIAS } else { bias(normal.abs(), position) };
+    surface.position + if direction.as_vec3().dot(normal) < 0.0 { -normal } else { normal } * bias
+}
+
+/// Below it, 25 units in the last place are less than a thousandth: 25 x 2^-15 = 0.00076.
+const FAR_OUT: f32 = 512.0;
+
+#[cold]
+fn bias(nearness: Vec3, position: Vec3) -> f32 {
     let coordinate = if nearness.x > nearness.y && nearness.x > nearness.z {
         position.x
     } else if nearness.y > nearness.z {
@@ -19,8 +29,7 @@ pub fn ray_origin(surface: &Surface, direction: DVec3) -> Vec3 {
     } else {
         position.z
     };
-    let bias = LEAST_BIAS.max(LEAST_BIAS_IN_ULPS * (coordinate.next_up() - coordinate));
-    surface.position + if direction.as_vec3().dot(normal) < 0.0 { -normal } else { normal } * bias
+    LEAST_BIAS.max(LEAST_BIAS_IN_ULPS * (coordinate.next_up() - coordinate))
 }
 
 #[cfg(test)]
@@ -38,6 +47,12 @@ mod tests {
         assert_eq!(ray_origin(&floor, DVec3::new(3.0, 0.0, -0.1)), Vec3::new(5.0, 5.0, -0.001));
         // Twice the normal is twice as far.
         assert_eq!(ray_origin(&at(Vec3::ZERO, 2.0 * Vec3::Z), DVec3::Z), Vec3::new(0.0, 0.0, 0.002));
+    }
+
+    #[test]
+    fn where_units_in_the_last_place_are_not_looked_at_they_do_not_count() {
+        assert_eq!(bias(Vec3::X, Vec3::splat(FAR_OUT.next_down())), LEAST_BIAS);
+        assert!(bias(Vec3::X, Vec3::splat(2.0 * FAR_OUT)) > LEAST_BIAS);
     }
 
     #[test]

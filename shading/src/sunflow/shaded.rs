@@ -1,7 +1,7 @@
 use geometry::Ray;
 use glam::Vec3;
 
-use crate::{Color, Incident, ShadingPoint};
+use crate::{Color, Incident, LightFormula, ShadingPoint};
 
 /// A point as Sunflow's shaders have it: turned to the viewer, and off the surface already, where the rays start.
 ///
@@ -18,8 +18,7 @@ pub(super) struct Shaded<'a> {
 
 impl<'a> Shaded<'a> {
     pub(super) fn new(at: &'a ShadingPoint<'a>) -> Self {
-        let geometric = at.surface.geometric_normal;
-        let outward = if at.is_inside() { -geometric } else { geometric };
+        let outward = at.outward();
         let normal = at.normal();
         Self { at, normal, outward, cosine: (-at.direction.dot(normal)).max(0.0) }
     }
@@ -50,22 +49,7 @@ impl<'a> Shaded<'a> {
 
     /// The lights in front of both normals that the point sees, as they arrive there and not at the surface itself.
     pub(super) fn lit(&self) -> impl Iterator<Item = Incident> {
-        let point = self.point();
-        let lights = (0..).map_while(|number| self.at.world.light(number, self.at.bounces.path));
-        lights.filter_map(move |light| {
-            let to_light = light.position - point;
-            // Also false where the light stands just at the point.
-            if !(to_light.dot(self.normal) > 0.0 && to_light.dot(self.outward) > 0.0) {
-                return None;
-            }
-            let distance = to_light.length();
-            let color = light.at_distance(distance);
-            if color == Color::BLACK || self.at.world.blocked(&Ray::new(point, to_light)) {
-                return None;
-            }
-            let direction = to_light / distance;
-            Some(Incident { direction, cosine: direction.dot(self.normal), color })
-        })
+        self.at.lit_by(LightFormula::Sunflow)
     }
 
     /// The ray's unit direction, and the shading normal on the viewer's side.

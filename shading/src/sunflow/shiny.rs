@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use super::mirror::reflectance;
 use super::shaded::Shaded;
-use crate::{Color, Shader, ShadingPoint, Texture};
+use crate::{Color, LightFormula, Shader, ShadingPoint, Texture};
 
 /// A matt surface, of one colour or textured, under a mirror of the same colour.
 #[derive(Clone)]
@@ -22,5 +22,9 @@ impl Shader for Shiny {
         let arriving: Color = shaded.lit().map(|light| light.color * light.cosine).sum();
         let mirror = reflectance(diffuse * self.reflection, shaded.cosine);
         diffuse * arriving * (1.0 / PI) + mirror * shaded.reflected()
+    }
+
+    fn asks_lights(&self) -> Option<LightFormula> {
+        Some(LightFormula::Sunflow)
     }
 }

@@ -1,3 +1,5 @@
+use std::sync::LazyLock;
+
 use glam::Vec2;
 
 use crate::{Color, ImageTexture, Texture, srgb};
@@ -17,9 +19,11 @@ impl Texture for SmoothTexture {
         let [width, height] = self.picture.size();
         let (left, right, fx) = neighbours(uv.x, width);
         let (bottom, top, fy) = neighbours(uv.y, height);
+        let linear = linear_bytes();
         // Rows are held from the top.
         let row = |from_bottom: usize| {
-            let texel = |column| self.picture.texel_bytes(column, height - 1 - from_bottom).map(linear_byte).into();
+            let bytes = |column| self.picture.texel_bytes(column, height - 1 - from_bottom);
+            let texel = |column| bytes(column).map(|byte| linear[usize::from(byte)]).into();
             mix(texel(left), texel(right), fx)
         };
         mix(row(bottom), row(top), fy)
@@ -30,9 +34,11 @@ fn mix(a: Color, b: Color, share: f32) -> Color {
     a * (1.0 - share) + b * share
 }
 
-/// A texel's channel in linear light, rounded to 8 bits once more: Sunflow keeps it so, and loses the darkest tones.
-fn linear_byte(encoded: u8) -> f32 {
-    (srgb::decode_byte(encoded) * 255.0).round() / 255.0
+/// A texel's channel in linear light, for all bytes, rounded to 8 bits once more: Sunflow keeps it so, and loses the darkest tones.
+fn linear_bytes() -> &'static [f32; 256] {
+    static LINEAR: LazyLock<[f32; 256]> =
+        LazyLock::new(|| srgb::linear_bytes().map(|linear| (linear * 255.0).round() / 255.0));
+    &LINEAR
 }
 
 /// The two texels whose centres lie around a coordinate, and the second one's share. NaN counts as 0.
@@ -40,7 +46,7 @@ fn neighbours(coordinate: f32, count: usize) -> (usize, usize, f32) {
     let place = (coordinate - coordinate.floor()) * (count - 1) as f32;
     let first = place as usize;
     let t = if place.is_nan() { 0.0 } else { place - first as f32 };
-    (first, (first + 1) % count, t * t * (3.0 - 2.0 * t))
+    (first, if first + 1 < count { first + 1 } else { 0 }, t * t * (3.0 - 2.0 * t))
 }
 
 #[cfg(test)]
@@ -71,7 +77,10 @@ mod tests {
 
     #[test]
     fn dark_tones_are_rounded_to_eight_bits_of_linear_light() {
-        assert_eq!([0, 6, 7, 17, 18].map(linear_byte), [0.0, 0.0, 1.0 / 255.0, 1.0 / 255.0, 2.0 / 255.0]);
+        assert_eq!(
+            [0, 6, 7, 17, 18].map(|byte: usize| linear_bytes()[byte]),
+            [0.0, 0.0, 1.0 / 255.0, 1.0 / 255.0, 2.0 / 255.0]
+        );
     }
 
     #[test]

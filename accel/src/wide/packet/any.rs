@@ -25,11 +25,7 @@ pub(in crate::wide) fn any<I: Isa, D: Decide>(
     let mut room = Room::<(Link, u32)>::new();
     let mut stack = Stack::within(&mut room);
     let (mut link, mut active) = (tree.root, ALL);
-    let ask = |numbers: &[u32], active: u32| {
-        bits(active)
-            .filter(|&ray| any_of(primitives, numbers, &rays[ray & 15], within))
-            .fold(0, |met, ray| met | 1 << ray)
-    };
+    let ask = |numbers: &[u32], active: u32| packet.ask(primitives, numbers, rays, active);
     let mut found = if tree.beside.is_empty() { 0 } else { ask(&tree.beside, ALL) };
     active &= !found;
     loop {
@@ -67,6 +63,22 @@ pub(in crate::wide) fn any<I: Isa, D: Decide>(
 }
 
 impl<I: Isa> Packet<I> {
+    /// A bit for each active ray that meets any of the primitives that are asked one by one.
+    #[inline(always)]
+    fn ask(&self, primitives: &Primitives, numbers: &[u32], rays: &[Ray; RAYS], mut active: u32) -> u32 {
+        let mut found = 0;
+        for &number in numbers {
+            let sphere = self.meet_sphere(primitives, number, active);
+            let asked = bits(sphere.unknown).filter(|&ray| any_of(primitives, &[number], &rays[ray & 15], self.within));
+            found |= asked.fold(sphere.met, |met, ray| met | 1 << ray);
+            active &= !found;
+            if active == 0 {
+                break;
+            }
+        }
+        found
+    }
+
     /// A bit for each active ray that meets any triangle of a block.
     #[inline(always)]
     fn any<D: Decide>(&self, blocks: &[Block], block: usize, rays: &[Ray; RAYS], mut active: u32) -> u32 {

@@ -24,7 +24,7 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
     let Some(packet) = Packet::new(isa, rays, within, tree.magnitude) else { return false };
     let mut hits = Hits::none(&tree.blocks, rays, &within);
     if !tree.beside.is_empty() {
-        hits.ask::<D>(primitives, &tree.beside, ALL);
+        hits.ask::<I, D>(&packet, primitives, &tree.beside, ALL);
     }
     let mut room = Room::<(Pending, u32)>::new();
     let mut stack = Stack::within(&mut room);
@@ -51,7 +51,7 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
                 hits.block::<I, D>(&packet, block, active);
             }
             if !asked.is_empty() {
-                hits.ask::<D>(primitives, asked, active);
+                hits.ask::<I, D>(&packet, primitives, asked, active);
             }
             hits.farthest = hits.high.lanes(isa).greatest();
         }
@@ -154,12 +154,22 @@ impl<'a> Hits<'a> {
     }
 
     #[inline(always)]
-    fn ask<D: Decide>(&mut self, primitives: &Primitives, numbers: &[u32], active: u32) {
-        for ray in bits(active) {
-            let ray = ray & 15;
-            let (asked, nearest) = (self.asked(ray), self.nearest(ray));
-            let nearest = nearest_with::<D>(primitives, numbers, asked, &mut self.known[ray], nearest);
-            self.set(ray, nearest);
+    fn ask<I: Isa, D: Decide>(&mut self, packet: &Packet<I>, primitives: &Primitives, numbers: &[u32], active: u32) {
+        for &number in numbers {
+            let sphere = packet.meet_sphere(primitives, number, active);
+            for ray in bits(sphere.met) {
+                let ray = ray & 15;
+                let (asked, nearest) = (self.asked(ray), self.nearest(ray));
+                let hit = Hit { t: sphere.t[ray], u: 0.0, v: 0.0, primitive: number };
+                let nearest = nearest.or_hit::<D>(asked, &mut self.known[ray], hit);
+                self.set(ray, nearest);
+            }
+            for ray in bits(sphere.unknown) {
+                let ray = ray & 15;
+                let (asked, nearest) = (self.asked(ray), self.nearest(ray));
+                let nearest = nearest_with::<D>(primitives, &[number], asked, &mut self.known[ray], nearest);
+                self.set(ray, nearest);
+            }
         }
     }
 

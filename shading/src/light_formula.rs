@@ -1,0 +1,85 @@
+use geometry::{Ray, RayOrigin, Surface};
+use glam::Vec3;
+
+use crate::{Color, PointLight, ShadingPoint};
+
+/// The light that arrives from one light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incident {
+    /// The unit direction to the light.
+    pub direction: Vec3,
+    /// The cosine between it and the normal, greater than 0.
+    pub cosine: f32,
+    /// How much arrives.
+    pub color: Color,
+}
+
+/// A point turned to its viewer: what is the same for all lights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facing {
+    /// Where the light is to arrive.
+    pub position: Vec3,
+    /// The normal to shade with, on the viewer's side.
+    pub normal: Vec3,
+    /// The geometric normal on the viewer's side.
+    pub outward: Vec3,
+}
+
+/// What arrives at a point from a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightFormula {
+    /// The report's: at the point itself, from lights in front of both normals.
+    Report,
+    /// Sunflow's: at the point where rays start that leave it to the viewer's side.
+    Sunflow,
+}
+
+impl LightFormula {
+    /// The point, made ready.
+    #[inline]
+    pub fn facing(self, at: &ShadingPoint<'_>) -> Facing {
+        let (normal, outward) = (at.normal(), at.outward());
+        let position = match self {
+            Self::Report => at.surface.position,
+            Self::Sunflow => (at.ray_origin)(at.surface, outward.as_dvec3()),
+        };
+        Facing { position, normal, outward }
+    }
+
+    /// What arrives from a light where nothing is in its way, and the segment that must be free for that, which ends at the light. `None` if the
+    /// light is behind the surface, or too far to count: then no shadow ray is needed. The surface, and where rays that leave it start,
+    /// are those of the point.
+    #[inline]
+    pub fn arriving(
+        self,
+        at: &Facing,
+        surface: &Surface,
+        ray_origin: RayOrigin,
+        light: &PointLight,
+    ) -> Option<(Incident, Ray)> {
+        let to_light = light.position - at.position;
+        let distance = to_light.length();
+        let direction = to_light / distance;
+        let cosine = direction.dot(at.normal);
+        let is_in_front = match self {
+            Self::Report => cosine > 0.0 && direction.dot(at.outward) > 0.0,
+            Self::Sunflow => to_light.dot(at.normal) > 0.0 && to_light.dot(at.outward) > 0.0,
+        };
+        // Also false where the light stands just at the point.
+        if !is_in_front {
+            return None;
+        }
+        let color = light.at_distance(distance);
+        if color == Color::BLACK {
+            return None;
+        }
+        let segment = match self {
+            Self::Report => {
+                let origin = ray_origin(surface, light.position.as_dvec3() - at.position.as_dvec3());
+                Ray::new(origin, light.position - origin)
+            }
+            Self::Sunflow => Ray::new(at.position, to_light),
+        };
+        Some((Incident { direction, cosine, color }, segment))
+    }
+}
