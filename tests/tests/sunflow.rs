@@ -6,18 +6,23 @@ use tests::Rendering;
 
 /// The picture's one pixel, looking down from (0, 0, 5).
 fn seen(scene: &str) -> Color {
-    let text = format!(
-        "image {{ resolution 1 1 }}
-         camera {{ type pinhole eye 0 0 5 target 0 0 0 up 0 1 0 fov 1 aspect 1 }}
-         {scene}"
-    );
+    seen_by("camera { type pinhole eye 0 0 5 target 0 0 0 up 0 1 0 fov 1 aspect 1 }", scene)
+}
+
+/// The picture's one pixel.
+fn seen_by(camera: &str, scene: &str) -> Color {
+    let text = format!("image {{ resolution 1 1 }} {camera} {scene}");
     let rendering = Rendering { modules: Modules::default().lit_as_by_sunflow(), ..Rendering::of(text) };
     rendering.film().pixels[0]
 }
 
 #[track_caller]
 fn assert_seen(scene: &str, expected: f32) {
-    let Color { r, g, b } = seen(scene);
+    assert_grey(seen(scene), expected);
+}
+
+#[track_caller]
+fn assert_grey(Color { r, g, b }: Color, expected: f32) {
     assert!(
         [r, g, b].iter().all(|channel| (channel - expected).abs() <= 2e-5 * expected),
         "{r} {g} {b}, not {expected}"
@@ -164,14 +169,14 @@ fn a_long_normal_turns_mirrored_rays_too_far() {
     // where a unit normal would send it up to the wall on the right. What is below is black.
     let scene = |length: f32| {
         format!(
-            "camera {{ type pinhole eye -5 0 5 target 0 0 0 up 0 0 1 fov 1 aspect 1 }}
-             shader {{ name m type mirror refl 1 1 1 }} shader {{ name w type constant color 0.5 0.5 0.5 }}
+            "shader {{ name m type mirror refl 1 1 1 }} shader {{ name w type constant color 0.5 0.5 0.5 }}
              object {{ shader m type plane p 0 0 0 n 0 0 {length} }}
              object {{ shader w type generic-mesh points 3 5 -90 0 5 90 0 5 0 90 triangles 1 0 1 2 normals none uvs none }}"
         )
     };
-    assert_seen(&scene(1.0), 0.5);
-    assert_eq!(seen(&scene(0.5)), Color::BLACK);
+    let camera = "camera { type pinhole eye -5 0 5 target 0 0 0 up 0 0 1 fov 1 aspect 1 }";
+    assert_grey(seen_by(camera, &scene(1.0)), 0.5);
+    assert_eq!(seen_by(camera, &scene(0.5)), Color::BLACK);
 }
 
 #[test]

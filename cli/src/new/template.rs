@@ -285,6 +285,7 @@ impl Template {
              [dependencies]\n{dependencies}glam = \"{GLAM}\"\n\n\
              # As girasol itself is built: tests try many cases.\n\
              [profile.dev]\nopt-level = 2\ndebug = \"line-tables-only\"\n\n\
+             [profile.dev.package.proptest]\ndebug-assertions = false\n\n\
              [profile.release]\ncodegen-units = 1\nlto = \"thin\"\n"
         )
     }
