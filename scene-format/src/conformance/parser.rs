@@ -332,8 +332,17 @@ pub fn limits_are_kept(parser: &Parser, trial: &Trial) -> Verdict {
     })
 }
 
-/// Texts that are nearly scenes: printed, then a piece replaced by marks, keywords, numbers at the edge, or anything.
+/// Texts that are nearly scenes: printed, then pieces replaced; and any text.
 pub fn texts() -> impl Strategy<Value = String> {
+    let changes = prop::collection::vec((0.0..1.0, 0.0..0.02, disturbance()), 1..4);
+    let disturbed = (scene(), changes).prop_map(|(scene, changes)| {
+        changes.into_iter().fold(print(&scene), |text, (from, length, by)| disturbed(&text, from, length, &by))
+    });
+    prop_oneof![3 => disturbed, 1 => any::<String>()]
+}
+
+/// What a slip or an attack may put anywhere: marks, keywords, numbers at the edge, or anything.
+pub fn disturbance() -> impl Strategy<Value = String> {
     let words = [
         "{",
         "}",
@@ -364,19 +373,17 @@ pub fn texts() -> impl Strategy<Value = String> {
         "\0",
         "",
     ];
-    let by = prop_oneof![3 => prop::sample::select(words.to_vec()).prop_map(str::to_owned), 1 => any::<String>()];
-    let changes = prop::collection::vec((0.0..1.0, 0.0..0.02, by), 1..4);
-    let disturbed = (scene(), changes).prop_map(|(scene, changes)| {
-        changes.into_iter().fold(print(&scene), |text, (from, length, by): (f64, f64, String)| {
-            let boundary = |share: f64| {
-                let at = (share * text.len() as f64) as usize;
-                (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(text.len())
-            };
-            let (start, end) = (boundary(from), boundary((from + length).min(1.0)));
-            format!("{}{by}{}", &text[..start], &text[end..])
-        })
-    });
-    prop_oneof![3 => disturbed, 1 => any::<String>()]
+    prop_oneof![3 => prop::sample::select(words.to_vec()).prop_map(str::to_owned), 1 => any::<String>()]
+}
+
+/// The text with a piece of it replaced; places are shares of its length.
+pub fn disturbed(text: &str, from: f64, length: f64, by: &str) -> String {
+    let boundary = |share: f64| {
+        let at = (share * text.len() as f64) as usize;
+        (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(text.len())
+    };
+    let (start, end) = (boundary(from), boundary((from + length).min(1.0)));
+    format!("{}{by}{}", &text[..start], &text[end..])
 }
 
 /// It may come from anywhere.

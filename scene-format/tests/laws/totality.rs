@@ -4,7 +4,10 @@ use proptest::prelude::*;
 use scene_format::{Severity, print};
 
 use crate::read;
-use scene_format::conformance::scene;
+use scene_format::conformance::{
+    parser::{disturbance, disturbed},
+    scene,
+};
 
 const SCENE: &str = r#"
 % a scene with something of everything
@@ -41,51 +44,6 @@ fn every_beginning_of_a_scene_can_be_read_and_printed() {
     for (end, _) in SCENE.char_indices() {
         print(&read(&SCENE[..end]).scene);
     }
-}
-
-/// What a slip or an attack may put anywhere: marks, keywords and numbers at the edge.
-fn disturbance() -> impl Strategy<Value = String> {
-    let words = [
-        "{",
-        "}",
-        "\"",
-        "%",
-        "/*",
-        "*/",
-        "<code>",
-        "</code>",
-        "shader {",
-        "object",
-        "type",
-        "type sphere",
-        "include",
-        "steps 9",
-        "row",
-        "points 4294967295",
-        "triangles 99999999999",
-        "-1",
-        "1e99",
-        "NaN",
-        "spectrum",
-        "\u{feff}",
-        "\u{3000}",
-        "é",
-        "\r",
-        "\n",
-        "\0",
-        "",
-    ];
-    prop_oneof![prop::sample::select(words.to_vec()).prop_map(str::to_owned), any::<String>()]
-}
-
-/// The text with a piece of it replaced; places are shares of its length.
-fn disturbed(text: &str, from: f64, length: f64, by: &str) -> String {
-    let boundary = |share: f64| {
-        let at = (share * text.len() as f64) as usize;
-        (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(text.len())
-    };
-    let (start, end) = (boundary(from), boundary((from + length).min(1.0)));
-    format!("{}{by}{}", &text[..start], &text[end..])
 }
 
 proptest! {
