@@ -83,6 +83,19 @@ pub(crate) enum Command {
     Completions(CompletionsArguments),
 }
 
+impl Command {
+    /// How a scene is to be rendered, where one is.
+    pub(crate) fn render_options(&self) -> Option<&RenderOptions> {
+        match self {
+            Self::Render(RenderArguments { options, .. })
+            | Self::Inspect(InspectArguments { options, .. })
+            | Self::Bench(BenchArguments { options, .. })
+            | Self::Compare(CompareArguments { options, .. }) => Some(options),
+            _ => None,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgument {
     /// A built-in scene, or the path of a .sc file.

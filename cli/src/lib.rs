@@ -32,13 +32,20 @@ mod table;
 use std::process::ExitCode;
 
 use clap::Parser;
+use rayon::ThreadPoolBuilder;
 use render::Modules;
 
 use args::{Arguments, Command};
+use options::RenderOptions;
 
 /// Runs the program with its command line and the given parts.
 pub fn run(modules: Modules) -> ExitCode {
-    let result = match Arguments::parse().command {
+    let command = Arguments::parse().command;
+    if let Some(threads) = command.render_options().and_then(RenderOptions::threads) {
+        // Meshes are generated and trees are built by as many, too. It can only fail where threads cannot be had: then by the caller alone.
+        ThreadPoolBuilder::new().num_threads(threads.get()).build_global().ok();
+    }
+    let result = match command {
         Command::Render(arguments) => commands::render::run(&arguments, modules),
         Command::Check(arguments) => commands::check::run(&arguments, modules),
         Command::Fmt(arguments) => commands::fmt::run(&arguments),

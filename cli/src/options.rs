@@ -256,6 +256,11 @@ impl RenderOptions {
         })
     }
 
+    /// How many threads to use, where that is said.
+    pub(crate) fn threads(&self) -> Option<NonZeroUsize> {
+        self.threads
+    }
+
     /// The same options without those that choose parts.
     pub(crate) fn without_parts(&self) -> Self {
         let none = Self::default();

@@ -82,7 +82,8 @@ impl Aabb {
 ///
 /// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-100 of the largest,
 /// which moves the ray by less than the slack inside the boxes: so no infinity or NaN arises from finite input. Where the
-/// largest itself is below 2^-64, `f32` has no number that small left: the slack is infinite, and every box counts as met.
+/// largest itself is below 2^-64 or above 2^64, or the origin 2^64 times as far away as the boxes, `f32` has no number that small
+/// left: the slack is infinite, and every box counts as met.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxProbe {
     origin: Vec3,
@@ -94,16 +95,17 @@ impl BoxProbe {
     /// Makes a ray ready. `magnitude` is the greatest absolute coordinate ([`Aabb::magnitude`]) of the boxes to come.
     pub fn new(ray: &Ray, magnitude: f32) -> Self {
         const NEGLIGIBLE: f32 = 1.0 / (1_u128 << 100) as f32;
-        const TOO_SHORT: f32 = 1.0 / (1_u128 << 64) as f32;
+        const LARGE: f32 = (1_u128 << 64) as f32;
         let largest = ray.direction.abs().max_element();
         let floor = (largest * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let invert = |d: f32| 1.0 / if d.abs() < floor { floor.copysign(d) } else { d };
         let inverse = Vec3::new(invert(ray.direction.x), invert(ray.direction.y), invert(ray.direction.z));
-        let slack = if largest < TOO_SHORT {
-            Vec3::INFINITY
-        } else {
+        let is_near = ray.origin.abs().max_element() <= LARGE * (magnitude + f32::MIN_POSITIVE);
+        let slack = if is_near && (1.0 / LARGE..=LARGE).contains(&largest) {
             let smallest = Vec3::splat(f32::MIN_POSITIVE);
             (4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) + smallest) * inverse.abs() + smallest
+        } else {
+            Vec3::INFINITY
         };
         Self { origin: ray.origin, inverse, slack }
     }
@@ -162,6 +164,17 @@ mod tests {
             assert!(meets(UNIT, [-1.0, 0.0, 0.5], [1.0, zero, zero]));
             assert!(meets(UNIT, [-1.0, 1.0, 1.0], [1.0, zero, zero]));
         }
+    }
+
+    #[test]
+    fn a_box_is_met_from_the_end_of_numbers() {
+        const FAR: f32 = f32::MAX;
+        let wide = Aabb { min: Vec3::new(-2.0, 0.0, 0.0), max: Vec3::new(3.0, 4.0, 0.0) };
+        assert!(meets(wide, [0.0, 0.0, FAR], [0.0, 0.0, -1.4]));
+        assert!(meets(wide, [0.0, 0.0, FAR], [0.0, 0.0, -FAR]));
+        let around = Aabb { min: Vec3::splat(-0.1), max: Vec3::splat(0.1) };
+        assert!(meets(around, [0.0, -FAR, 0.0], [0.0, FAR, 0.0]));
+        assert!(meets(around, [FAR, 0.05, 0.0], [-FAR, -0.1, -0.2]));
     }
 
     #[test]

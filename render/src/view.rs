@@ -8,9 +8,10 @@ use crate::{Camera, Frame, Pinhole, ThinLens};
 pub struct View {
     /// Where it stands and looks.
     pub place: Viewpoint,
-    /// The full horizontal angle of view in degrees: more than 0 and less than 360. A plane shows less than 180.
+    /// The full horizontal angle of view in degrees, of any size. A plane shows more than 0 and less than 180; beyond
+    /// them the tangent is negative, and the picture turned by half a turn.
     pub fov_degrees: f64,
-    /// The image plane's width over its height, greater than 0.
+    /// The image plane's width over its height, not 0. Below 0 the picture is upside down.
     pub aspect: f64,
     /// Moves the image plane, in units of the plane at distance 1.
     pub shift: DVec2,

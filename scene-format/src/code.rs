@@ -54,8 +54,8 @@ pub enum Code {
     NotAffine,
     /// An order of buckets that nobody knows.
     UnknownOrder,
-    /// An angle of view of 180 degrees or more.
-    WideView,
+    /// A view that no plane can show: 180 degrees or more, or an aspect below 0.
+    ImpossibleView,
     /// A list that ends before its count.
     ListTooShort,
     /// A list that goes on after its count.
@@ -141,7 +141,7 @@ impl Code {
         Self::UnknownStep,
         Self::NotAffine,
         Self::UnknownOrder,
-        Self::WideView,
+        Self::ImpossibleView,
         Self::ListTooShort,
         Self::ListTooLong,
         Self::TooEarly,
@@ -198,7 +198,7 @@ impl Code {
             Self::UnknownStep => "SC206",
             Self::NotAffine => "SC207",
             Self::UnknownOrder => "SC208",
-            Self::WideView => "SC209",
+            Self::ImpossibleView => "SC209",
             Self::ListTooShort => "SC301",
             Self::ListTooLong => "SC302",
             Self::TooEarly => "SC303",

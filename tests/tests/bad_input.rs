@@ -305,7 +305,7 @@ fn an_output_without_ending() {
 /// Not that there is none: it is there, and cannot be read.
 #[test]
 fn a_camera_that_cannot_be_read_is_told_once() {
-    let folder = folder().with("scene.sc", CAMERA.replace("fov 30", "fov 0"));
+    let folder = folder().with("scene.sc", CAMERA.replace("aspect 1", "aspect 0"));
     insta::assert_snapshot!(told(&folder, &["render", "scene.sc"]));
 }
 

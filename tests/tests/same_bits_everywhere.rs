@@ -136,15 +136,16 @@ fn missing_for_aarch64() -> Vec<&'static str> {
 }
 
 impl Build {
-    /// Builds the program and says where it is. In a folder of its own, so that a second run finds it again; with what makes building
-    /// faster and the program slower.
+    /// Builds the program, without the laws, and says where it is. In a folder of its own, so that a second run finds it again; with what
+    /// makes building faster and the program slower.
     fn program(&self) -> PathBuf {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace is around this package");
         let built = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("every-build").join(self.name);
         let mut cargo = Command::new(env!("CARGO"));
         cargo
             .current_dir(workspace)
-            .args(["build", "--locked", "--quiet", "--bin", "girasol", "--profile", self.profile, "--target-dir"])
+            .args(["build", "--locked", "--quiet", "-p", "cli", "--no-default-features"])
+            .args(["--bin", "girasol", "--profile", self.profile, "--target-dir"])
             .arg(&built)
             .args(self.target.iter().flat_map(|target| ["--target", target]))
             .env("RUSTFLAGS", self.flags)

@@ -223,7 +223,7 @@ fn closest(part: &Part, asked: &Asked, seen: fn(Hit) -> Option<Hit>) -> Verdict 
         if expected.and_then(seen) == found.and_then(seen) {
             Ok(())
         } else {
-            Err(wrong(asked, ray, "", expected, found))
+            Err(wrong(asked, ray, "", expected, found).of(&asked.alone(*ray, *within)))
         }
     })
 }
@@ -235,7 +235,11 @@ fn any(part: &Part, asked: &Asked) -> Verdict {
     asked.rays.iter().try_for_each(|(ray, within)| {
         let expected = nearest_of_all(&primitives, ray, *within);
         let found = built.any(ray, *within);
-        if expected.is_some() == found { Ok(()) } else { Err(wrong_any(asked, ray, "any", expected, found)) }
+        if expected.is_some() == found {
+            Ok(())
+        } else {
+            Err(wrong_any(asked, ray, "any", expected, found).of(&asked.alone(*ray, *within)))
+        }
     })
 }
 
@@ -273,10 +277,11 @@ fn everything(part: &Part, asked: &Asked, primitives: &Primitives) -> Verdict {
         let expected = nearest_of_all(primitives, &ray, within);
         let alone = built.closest(&ray, within);
         if alone != expected {
-            return Err(wrong(asked, &ray, "", expected, alone));
+            return Err(wrong(asked, &ray, "", expected, alone).of(&asked.alone(ray, within)));
         }
         if built.any(&ray, within) != expected.is_some() {
-            return Err(wrong_any(asked, &ray, "any", expected, expected.is_none()));
+            let found = expected.is_none();
+            return Err(wrong_any(asked, &ray, "any", expected, found).of(&asked.alone(ray, within)));
         }
         let expected = nearest_of_all(primitives, &ray, Interval::FORWARD);
         if together != expected {

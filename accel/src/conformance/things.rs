@@ -41,6 +41,12 @@ impl Asked {
         primitives
     }
 
+    /// The same things, and one ray.
+    #[must_use]
+    pub fn alone(&self, ray: Ray, within: Interval) -> Self {
+        Self { things: self.things.clone(), rays: vec![(ray, within)] }
+    }
+
     /// A drawing: the things, a ray, and the hits.
     pub fn drawn(&self, ray: &Ray, expected: Option<Hit>, found: Option<Hit>) -> Figure {
         let middle = expected.or(found).map_or(DVec3::ZERO, |hit| ray.at(f64::from(hit.t)));

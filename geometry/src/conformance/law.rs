@@ -1,4 +1,5 @@
 use std::any::Any;
+use std::cell::Cell;
 use std::collections::hash_map::RandomState;
 use std::fmt::{self, Debug, Display};
 use std::hash::BuildHasher;
@@ -29,7 +30,7 @@ pub type Verdict = Result<(), Box<Counterexample>>;
 /// A case that breaks a law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counterexample {
-    /// The case, as a literal for a test.
+    /// The case, as a literal for a test. Where it is empty, [`Trial::search`] fills in what it tried.
     pub case: String,
     /// What the law asks for.
     pub expected: String,
@@ -40,9 +41,16 @@ pub struct Counterexample {
 }
 
 impl Counterexample {
-    /// What was expected and what was found; [`Trial::search`] adds the case.
+    /// What was expected and what was found.
     pub fn new(expected: impl Into<String>, found: impl Into<String>) -> Box<Self> {
         Box::new(Self { case: String::new(), expected: expected.into(), found: found.into(), figure: None })
+    }
+
+    /// Of a smaller case than was tried: of its many questions, say, the one that was answered wrongly.
+    #[must_use]
+    pub fn of(mut self: Box<Self>, case: &impl Debug) -> Box<Self> {
+        self.case = format!("{case:?}");
+        self
     }
 
     /// With a drawing.
@@ -98,11 +106,22 @@ impl Trial {
             rng_seed: RngSeed::Fixed(self.seed),
             failure_persistence: None,
             max_global_rejects: self.cases.saturating_mul(16),
+            // It would write to the terminal that it gives up. (The greatest number means another.)
+            max_shrink_iters: u32::MAX - 1,
             ..Config::default()
         };
-        let tried = TestRunner::new(config).run(&cases, |case| match attempt(&law, &case) {
-            Ok(()) => Ok(()),
-            Err(broken) => Err(TestCaseError::fail(broken.found)),
+        // How often a case that breaks the law is still made smaller.
+        let steps_left = Cell::new(None);
+        let tried = TestRunner::new(config).run(&cases, |case| {
+            match steps_left.get() {
+                Some(0) => return Ok(()),
+                Some(steps) => steps_left.set(Some(steps - 1)),
+                None => {}
+            }
+            attempt(&law, &case).map_err(|broken| {
+                steps_left.set(steps_left.get().or(Some(self.cases.saturating_mul(4))));
+                TestCaseError::fail(broken.found)
+            })
         });
         match tried {
             Ok(()) => Ok(()),
@@ -110,7 +129,9 @@ impl Trial {
             Err(TestError::Fail(found_before, case)) => {
                 let again = Counterexample::new("the same answer whenever it is asked", found_before.message());
                 let mut broken = attempt(&law, &case).err().unwrap_or(again);
-                broken.case = format!("{case:?}");
+                if broken.case.is_empty() {
+                    broken = broken.of(&case);
+                }
                 Err(broken)
             }
         }
@@ -296,6 +317,17 @@ twice_the_half_is_the_whole: this law is broken
         let wrong: Half = |number| if number < 20 { number / 2 } else { panic!("at {number}") };
         let broken = LAW.check(&wrong, &TRIAL).unwrap_err().counterexample;
         assert_eq!((broken.case.as_str(), broken.found.as_str()), ("10", "a panic: at 20"));
+    }
+
+    #[test]
+    fn making_a_case_smaller_comes_to_an_end() {
+        let asked = Cell::new(0);
+        let broken = TRIAL.search(proptest::collection::vec(0..1000_u32, 500), |_| {
+            asked.set(asked.get() + 1);
+            Err(Counterexample::new("", ""))
+        });
+        assert!(broken.is_err());
+        assert_eq!(asked.get(), 1 + 4 * TRIAL.cases + 1);
     }
 
     #[test]

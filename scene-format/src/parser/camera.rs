@@ -118,17 +118,27 @@ impl<'s> Parser<'s> {
     fn view_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {
         match field.text {
             "fov" => {
-                let fov = self.float_that(field, "between 0 and 360 degrees", |fov| 0.0 < fov && fov < 360.0)?;
-                if fov.value >= 180.0 {
-                    let warning =
-                        Diagnostic::warning(Code::WideView, fov.span, "a plane cannot show 180 degrees or more")
-                            .label("the picture shows only what lies to the sides, as Sunflow's does")
-                            .help("60 is usual");
+                let fov = self.float(field)?;
+                if !(0.0 < fov.value && fov.value < 180.0) {
+                    let message = "a plane shows more than 0 and less than 180 degrees";
+                    let warning = Diagnostic::warning(Code::ImpossibleView, fov.span, message)
+                        .label("the picture is as wide as twice the tangent of half of this, as Sunflow's is")
+                        .help("60 is usual");
                     self.context.report(warning);
                 }
                 fields.fov = Some(fov);
             }
-            "aspect" => fields.aspect = Some(self.float_that(field, "greater than 0", |aspect| aspect > 0.0)?),
+            "aspect" => {
+                let aspect = self.float_that(field, "other than 0", |aspect| aspect != 0.0)?;
+                if aspect.value < 0.0 {
+                    let message = "the width of a plane over its height is more than 0";
+                    let warning = Diagnostic::warning(Code::ImpossibleView, aspect.span, message)
+                        .label("the picture is upside down, as Sunflow's is")
+                        .help("write the picture's width over its height");
+                    self.context.report(warning);
+                }
+                fields.aspect = Some(aspect);
+            }
             _ => fields.shift = Some(self.floats(field)?),
         }
         Ok(Field::Known)

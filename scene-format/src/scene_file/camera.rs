@@ -39,10 +39,10 @@ pub enum Lens {
 /// What a plane of projection shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
-    /// The full horizontal angle in degrees, strictly between 0 and 360. From 180 on the plane's tangent has no picture to show:
-    /// it is seen edge-on, and beyond that mirrored.
+    /// The full horizontal angle in degrees, of any size: the plane is twice the tangent of its half wide. From 180 to 360, and
+    /// below 0, that is negative, and the picture turned by half a turn.
     pub fov: Spanned<f32>,
-    /// Width over height of the image plane (not of the picture), greater than 0.
+    /// Width over height of the image plane (not of the picture), not 0. Below 0 the picture is upside down.
     pub aspect: Spanned<f32>,
     /// `shift x y`: moves the image plane, in units of the image plane at distance 1.
     pub shift: Option<Spanned<[f32; 2]>>,

@@ -100,8 +100,12 @@ fn an_impossible_radius() {
 #[test]
 fn an_impossible_view() {
     assert_snapshot!(say("camera { type pinhole eye 0 0 0 target 0 1 0 up 0 0 1 fov 180 aspect 0 }"), @"
-        scene.sc:1:59: warning[SC209]: a plane cannot show 180 degrees or more [the picture shows only what lies to the sides, as Sunflow's does] (60 is usual)
-        scene.sc:1:70: error[SC203]: `aspect` must be greater than 0 [found `0`]
+        scene.sc:1:59: warning[SC209]: a plane shows more than 0 and less than 180 degrees [the picture is as wide as twice the tangent of half of this, as Sunflow's is] (60 is usual)
+        scene.sc:1:70: error[SC203]: `aspect` must be other than 0 [found `0`]
+    ");
+    assert_snapshot!(say("camera { type pinhole eye 0 0 0 target 0 1 0 up 0 0 1 fov -30 aspect -1 }"), @"
+        scene.sc:1:59: warning[SC209]: a plane shows more than 0 and less than 180 degrees [the picture is as wide as twice the tangent of half of this, as Sunflow's is] (60 is usual)
+        scene.sc:1:70: warning[SC209]: the width of a plane over its height is more than 0 [the picture is upside down, as Sunflow's is] (write the picture's width over its height)
     ");
 }
 
