@@ -26,6 +26,11 @@ impl Token<'_> {
         self.text == "}"
     }
 
+    /// Whether it has no quotes.
+    pub(crate) fn is_bare(&self) -> bool {
+        (self.span.end - self.span.start) as usize == self.text.len()
+    }
+
     /// Whether it begins with a quote that its line ended: the place holds one mark, and not two.
     pub(crate) fn is_quote_without_end(&self) -> bool {
         (self.span.end - self.span.start) as usize == self.text.len() + 1

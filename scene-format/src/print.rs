@@ -7,6 +7,7 @@ mod unrendered;
 mod words;
 
 use crate::format;
+use crate::lexer::is_number;
 use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, TraceDepths, View};
 use crate::scene_file::{SceneFile, Statement};
 use words::{Writer, color, floats, number, quote};
@@ -57,6 +58,10 @@ fn write_statement(writer: &mut Writer, statement: &Statement) {
         Statement::TexturePath(directory) => writer.line(&format!("texturepath {}", quote(directory))),
         Statement::IncludePath(directory) => writer.line(&format!("includepath {}", quote(directory))),
         Statement::Include { path, .. } => writer.line(&format!("include {}", quote(path))),
+        // Behind a filter without a size, a bare number would be its size.
+        Statement::Unknown(unknown) if is_number(&unknown.keyword) => {
+            writer.words(&format!("\"{}\"", *unknown.keyword), &unknown.words);
+        }
         Statement::Unknown(unknown) => writer.words(&quote(&unknown.keyword), &unknown.words),
     }
 }

@@ -33,7 +33,9 @@ impl<'s> Parser<'s> {
             "accel" => Statement::Accelerator(kept(self.word(keyword)?)),
             _ => {
                 let name = self.string(keyword)?;
-                let size = if self.at_number() { Some(self.floats(keyword)?) } else { None };
+                // A number in quotes is how a statement that nobody knows is printed.
+                let is_bare = self.cursor.peek().is_some_and(|word| word.is_bare());
+                let size = if is_bare && self.at_number() { Some(self.floats(keyword)?) } else { None };
                 Statement::Filter { name, size }
             }
         })

@@ -34,6 +34,13 @@ fn unknown_statements_that_a_stray_brace_parts_survive_printing() {
 }
 
 #[test]
+fn a_number_that_a_stray_brace_parts_from_a_filter_survives_printing() {
+    // Found by fuzzing: printed without the brace, it was read as the filter's size.
+    assert_round_trip(&read("filter box } .3").scene);
+    assert_round_trip(&read("skat 1 filter box filter box } .3 4 { 5 } }").scene);
+}
+
+#[test]
 fn a_name_that_is_the_word_type_survives_printing() {
     // Found by fuzzing: the word behind it was taken for the object's type.
     for object in [
