@@ -512,8 +512,10 @@ fn code() -> impl Strategy<Value = Vec<String>> {
 /// A block of a type that nobody knows. No word in it is a field that its kind of block is asked for.
 fn unknown(kind: &'static str) -> impl Strategy<Value = Unknown> {
     let word = || prop_oneof!["x[a-z]{0,4}", "[0-9]{1,3}", "x [%#\" ]y".prop_map(|word| word.replace('"', "'"))];
-    let code =
-        code().prop_map(|lines| ["<code>".to_owned()].into_iter().chain(lines).chain(["</code>".to_owned()]).collect());
+    let code = code().prop_map(|lines| {
+        let lines = ["<code>".to_owned()].into_iter().chain(lines).chain(["</code>".to_owned()]);
+        vec![lines.collect::<Vec<_>>().join("\n")]
+    });
     let group = vec(word(), 0..3)
         .prop_map(|words| ["{".to_owned()].into_iter().chain(words).chain(["}".to_owned()]).collect::<Vec<_>>());
     vec(prop_oneof![3 => vec(word(), 1), 1 => group, 1 => code], 0..4).prop_map(move |words| Unknown {

@@ -27,16 +27,20 @@ impl<'s> Parser<'s> {
         Ok(Field::Known)
     }
 
-    /// Keeps a word that was taken, and with `<code>` all lines up to `</code>`.
+    /// Keeps a word that was taken, and with `<code>` all lines up to `</code>`, as one word with them.
     ///
-    /// Program text is not made of the format's words: a `%` in it is no comment. Each line is kept as one word.
+    /// Program text is not made of the format's words: a `%` in it is no comment.
     fn keep(&mut self, word: Token<'s>, words: &mut Words) {
-        words.push(kept(word));
-        let code = (word.text == "<code>").then(|| self.code_lines()).flatten();
+        let mut word = kept(word);
+        let code = (word.value == "<code>").then(|| self.code_lines()).flatten();
         if let Some(lines) = code {
-            words.extend(lines.into_iter().map(kept));
-            words.push(Spanned::new("</code>".to_owned(), self.cursor.previous()));
+            for line in lines.iter().map(|line| line.text).chain(["</code>"]) {
+                word.value.push('\n');
+                word.value.push_str(line);
+            }
+            word.span = word.span.to(self.cursor.previous());
         }
+        words.push(word);
     }
 
     /// A word that begins no statement: skipped with its block, or up to the next statement.

@@ -33,20 +33,18 @@ impl Writer {
         self.line("}");
     }
 
-    /// Words that were kept as they are, on one line; program text between `<code>` and `</code>` line by line.
+    /// Words that were kept as they are, on one line; program text, which is one word, from its second line on as it is.
     pub(super) fn words(&mut self, first: &str, words: &[Spanned<String>]) {
         let mut line = first.to_owned();
-        let mut words = words.iter();
-        while let Some(word) = words.next() {
+        for word in words {
             line.push(' ');
-            line.push_str(&quote(word));
-            let code = words.as_slice();
-            if word.value == "<code>" && code.iter().any(|word| word.value == "</code>") {
-                self.line(&line);
-                line.clear();
-                let lines = words.by_ref().take_while(|word| word.value != "</code>");
-                self.raw(lines.map(|line| line.as_str()));
-                self.line("</code>");
+            match word.split_once('\n') {
+                Some(("<code>", code)) => {
+                    self.line(&(line + "<code>"));
+                    self.raw(code.split('\n'));
+                    line = String::new();
+                }
+                _ => line.push_str(&quote(word)),
             }
         }
         if !line.is_empty() {

@@ -45,7 +45,7 @@ pub enum Value {
 pub struct Unknown {
     /// The first word: the statement's keyword, or the block's type.
     pub keyword: Spanned<String>,
-    /// All further words, braces included, as the reader cuts them (quotes removed). A line of program text between `<code>`
-    /// and `</code>` is one word.
+    /// All further words, braces included, as the reader cuts them (quotes removed). Program text is one word, from
+    /// `<code>` to the line that begins with `</code>`, with its line breaks.
     pub words: Vec<Spanned<String>>,
 }

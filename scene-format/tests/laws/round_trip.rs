@@ -27,6 +27,14 @@ fn program_text_in_an_unknown_statement_survives_printing() {
 }
 
 #[test]
+fn what_only_looks_like_program_text_survives_printing() {
+    // Found by fuzzing: `</code>` begins no line, so these are words like any others.
+    assert_round_trip(&read("r <code>{</code>\n}").scene);
+    assert_round_trip(&read("r <code> x </code> y").scene);
+    assert_round_trip(&read("r { <code> { </code>\n } }").scene);
+}
+
+#[test]
 fn unknown_statements_that_a_stray_brace_parts_survive_printing() {
     // Found by fuzzing: printed without the brace, the second was read as more of the first.
     assert_round_trip(&read("skat 1 } shape { type mesh }").scene);
