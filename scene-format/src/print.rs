@@ -10,7 +10,7 @@ use crate::format;
 use crate::lexer::is_number;
 use crate::scene_file::{Bucket, Camera, CameraPlacement, Image, Lens, TraceDepths, View};
 use crate::scene_file::{SceneFile, Statement};
-use words::{Writer, color, floats, number, quote};
+use words::{Writer, color, floats, kept, number, quote};
 
 /// The text of a scene, in the style of [`format()`]. Reading it gives the same scene again, every bit of every number included.
 ///
@@ -62,7 +62,7 @@ fn write_statement(writer: &mut Writer, statement: &Statement) {
         Statement::Unknown(unknown) if is_number(&unknown.keyword) => {
             writer.words(&format!("\"{}\"", *unknown.keyword), &unknown.words);
         }
-        Statement::Unknown(unknown) => writer.words(&quote(&unknown.keyword), &unknown.words),
+        Statement::Unknown(unknown) => writer.words(&kept(&unknown.keyword), &unknown.words),
     }
 }
 

@@ -16,21 +16,21 @@ impl<'s> Parser<'s> {
     /// Keeps a word of a block of which nothing is known, and with a brace all up to the one that closes it.
     pub(super) fn collect(&mut self, first: Token<'s>, words: &mut Words) -> Read<Field> {
         self.mark(first, Mark::Unknown);
-        self.keep(first, words);
+        words.push(self.kept(first));
         if first.is_open() {
             let inside = self.cursor.depth();
             while self.cursor.depth() >= inside && !self.cursor.at_statement() {
                 let Some(word) = self.cursor.next() else { break };
-                self.keep(word, words);
+                words.push(self.kept(word));
             }
         }
         Ok(Field::Known)
     }
 
-    /// Keeps a word that was taken, and with `<code>` all lines up to `</code>`, as one word with them.
+    /// A word that was taken, and with `<code>` all lines up to `</code>`, as one word with them.
     ///
     /// Program text is not made of the format's words: a `%` in it is no comment.
-    fn keep(&mut self, word: Token<'s>, words: &mut Words) {
+    fn kept(&mut self, word: Token<'s>) -> Spanned<String> {
         let mut word = kept(word);
         let code = (word.value == "<code>").then(|| self.code_lines()).flatten();
         if let Some(lines) = code {
@@ -40,7 +40,7 @@ impl<'s> Parser<'s> {
             }
             word.span = word.span.to(self.cursor.previous());
         }
-        words.push(word);
+        word
     }
 
     /// A word that begins no statement: skipped with its block, or up to the next statement.
@@ -54,7 +54,7 @@ impl<'s> Parser<'s> {
         let warning = Diagnostic::warning(Code::UnknownStatement, keyword.span, message)
             .label("skipped, with all that belongs to it");
         self.context.report(Diagnostic { help: comment_help(keyword.text).map(str::to_owned), ..warning });
-        let mut words = Vec::new();
+        let (first, mut words) = (self.kept(keyword), Vec::new());
         while !self.cursor.at_statement() && !self.at_other_line() {
             let Some(word) = self.cursor.peek().filter(|word| !word.is_close()) else { break };
             if word.is_open() {
@@ -62,9 +62,9 @@ impl<'s> Parser<'s> {
                 break;
             }
             self.cursor.next();
-            self.keep(word, &mut words);
+            words.push(self.kept(word));
         }
-        Ok(Unknown { keyword: kept(keyword), words })
+        Ok(Unknown { keyword: first, words })
     }
 
     /// A statement that `at_statement` does not tell, since blocks have fields of its name.
@@ -78,7 +78,7 @@ impl<'s> Parser<'s> {
         let (cursor, kept_before) = (self.cursor.clone(), words.len());
         if !self.unbalanced {
             while let Some(word) = self.cursor.next() {
-                self.keep(word, words);
+                words.push(self.kept(word));
                 if self.cursor.depth() == 0 {
                     return Ok(());
                 }

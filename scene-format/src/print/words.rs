@@ -33,23 +33,10 @@ impl Writer {
         self.line("}");
     }
 
-    /// Words that were kept as they are, on one line; program text, which is one word, from its second line on as it is.
+    /// Words that were kept as they are, in a row.
     pub(super) fn words(&mut self, first: &str, words: &[Spanned<String>]) {
-        let mut line = first.to_owned();
-        for word in words {
-            line.push(' ');
-            match word.split_once('\n') {
-                Some(("<code>", code)) => {
-                    self.line(&(line + "<code>"));
-                    self.raw(code.split('\n'));
-                    line = String::new();
-                }
-                _ => line.push_str(&quote(word)),
-            }
-        }
-        if !line.is_empty() {
-            self.line(&line);
-        }
+        let words = words.iter().map(|word| format!(" {}", kept(word)));
+        self.line(&format!("{first}{}", words.collect::<String>()));
     }
 
     /// Program text after the word that begins it.
@@ -79,6 +66,11 @@ pub(super) fn quote(word: &str) -> String {
         let word: String = word.chars().map(|c| if matches!(c, '"' | '\n' | '\r') { '\'' } else { c }).collect();
         format!("\"{word}\"")
     }
+}
+
+/// A word of a block that nobody knows; program text, which is one word with line breaks, stays as it is.
+pub(super) fn kept(word: &str) -> String {
+    if word.starts_with("<code>\n") { word.to_owned() } else { quote(word) }
 }
 
 /// The shortest digits that give the same float again.

@@ -32,6 +32,9 @@ fn what_only_looks_like_program_text_survives_printing() {
     assert_round_trip(&read("r <code>{</code>\n}").scene);
     assert_round_trip(&read("r <code> x </code> y").scene);
     assert_round_trip(&read("r { <code> { </code>\n } }").scene);
+    // Here it begins a statement.
+    assert_round_trip(&read("p } <code> <code>\n</code>").scene);
+    assert_round_trip(&read("<code> x\n }\n</code> y").scene);
 }
 
 #[test]
