@@ -167,6 +167,20 @@ mod tests {
     }
 
     #[test]
+    fn half_the_surface_is_one_face_of_each_kind() {
+        assert_eq!(Aabb { min: Vec3::X, max: Vec3::new(2.0, 2.0, 3.0) }.half_surface(), 2.0 + 6.0 + 3.0);
+    }
+
+    #[test]
+    fn an_octant_has_a_bit_for_each_axis_that_is_run_down() {
+        for octant in 0..8 {
+            let down = |axis: usize| if octant >> axis & 1 == 1 { -1.0 } else { 1.0 };
+            let ray = Ray::new(Vec3::ZERO, Vec3::new(down(0), down(1), down(2)));
+            assert_eq!(BoxProbe::new(&ray, 1.0).octant(), octant);
+        }
+    }
+
+    #[test]
     fn a_box_is_met_from_the_end_of_numbers() {
         const FAR: f32 = f32::MAX;
         let wide = Aabb { min: Vec3::new(-2.0, 0.0, 0.0), max: Vec3::new(3.0, 4.0, 0.0) };

@@ -121,6 +121,15 @@ mod tests {
     }
 
     #[test]
+    fn only_the_same_factor_along_all_axes_is_a_uniform_scale() {
+        assert_eq!(Transform::scale(DVec3::splat(2.5)).uniform_scale(), Some(2.5));
+        for other in [DVec3::splat(-1.0), DVec3::ZERO, DVec3::new(1.0, 1.0, 2.0)] {
+            assert_eq!(Transform::scale(other).uniform_scale(), None, "{other}");
+        }
+        assert_eq!(Transform::rotation(DVec3::Z, 30.0).uniform_scale(), None);
+    }
+
+    #[test]
     fn steps_apply_in_the_order_written() {
         let moved_then_scaled = Transform::translation(DVec3::X).then(&Transform::scale(DVec3::splat(2.0)));
         assert_eq!(moved_then_scaled.point(DVec3::ZERO), DVec3::new(2.0, 0.0, 0.0));

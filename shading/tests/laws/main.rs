@@ -4,4 +4,5 @@ mod exact;
 mod light;
 mod optics;
 mod srgb;
+mod sunflow;
 mod undefined;

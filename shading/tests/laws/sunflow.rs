@@ -1,0 +1,97 @@
+//! Sunflow's shaders on a little stage, where the answer is known by hand.
+
+use std::sync::Arc;
+
+use geometry::Surface;
+use glam::{Vec2, Vec3};
+use shading::conformance::{Lamp, Stage};
+use shading::sunflow::{Glass, Phong};
+use shading::{Absorption, Bounces, Color, LightFormula, Phong as ReportPhong, Shader};
+
+/// A floor seen along a unit direction; from below it is the inside.
+fn floor(direction: Vec3) -> Stage {
+    Stage {
+        direction,
+        distance: 2.0,
+        surface: Surface::rounded(Vec3::ZERO, 0.0, Vec3::Z),
+        uv: Vec2::ZERO,
+        bounces: Bounces::of_camera_ray(1, 1),
+        lamps: [None, None],
+        blocker: None,
+        ambient: 0.0,
+    }
+}
+
+const GLASS: Glass = Glass { eta: 1.5, color: Color::WHITE, absorption: None };
+
+/// Bright above and black below: what glass reflects of it, seen from above, or lets through, seen from below.
+fn bright_above(direction: Vec3) -> Color {
+    Color::grey(if direction.z > 0.0 { 1.0 } else { 0.0 })
+}
+
+#[track_caller]
+fn assert_shows(stage: &Stage, shader: &dyn Shader, expected: f32) {
+    let shown = stage.shown_under(bright_above, shader).color.to_array()[0];
+    assert!((shown - expected).abs() < 1e-6, "{shown} instead of {expected}");
+}
+
+#[test]
+fn glass_seen_straight_reflects_four_percent() {
+    // ((1 - eta) / (1 + eta))^2
+    assert_shows(&floor(-Vec3::Z), &GLASS, 0.04);
+    // From inside all but that is let through, and nothing reflected.
+    assert_shows(&floor(Vec3::Z), &GLASS, 0.96);
+    let below = floor(Vec3::Z).shown_under(|direction| Color::grey(if direction.z < 0.0 { 1.0 } else { 0.0 }), &GLASS);
+    assert_eq!(below.color, Color::BLACK);
+}
+
+#[test]
+fn at_brewsters_angle_only_light_across_is_reflected() {
+    // tan = eta; half of ((eta^2 - 1) / (eta^2 + 1))^2, the other half has nothing to reflect.
+    let eta = 1.5_f32;
+    let across = (eta * eta - 1.0) / (eta * eta + 1.0);
+    assert_shows(&floor(Vec3::new(eta, 0.0, -1.0).normalize()), &GLASS, 0.5 * across * across);
+}
+
+#[test]
+fn glass_refracts_by_snells_law_and_reflects_all_beyond_the_critical_angle() {
+    let way = |direction: Vec3| floor(direction).shown(&GLASS).rays[0].0.direction;
+    let sine = |direction: Vec3| direction.x;
+    let outside = Vec3::new(0.6, 0.0, -0.8);
+    assert!((sine(way(outside)) - 0.6 / 1.5).abs() < 1e-6 && way(outside).z < 0.0);
+    let inside = Vec3::new(0.4, 0.0, 0.84_f32.sqrt());
+    assert!((sine(way(inside)) - 0.6).abs() < 1e-6 && way(inside).z > 0.0);
+    let beyond = floor(Vec3::new(0.8, 0.0, 0.6)).shown(&GLASS);
+    assert_eq!(beyond.rays.len(), 1);
+    assert!((beyond.rays[0].0.direction - Vec3::new(0.8, 0.0, -0.6)).length() < 1e-6);
+}
+
+#[test]
+fn glass_absorbs_on_the_way_inside_alone() {
+    let absorption = Some(Absorption { distance: 2.0, color: Color::grey(0.5) });
+    let dark = Glass { absorption, ..GLASS };
+    assert_shows(&floor(-Vec3::Z), &dark, 0.04);
+    // 2 of 2 units, and half of it lost: exp(-1/2)
+    assert_shows(&floor(Vec3::Z), &dark, 0.96 * (-0.5_f32).exp());
+}
+
+#[test]
+fn a_highlight_of_sunflows_has_its_factor() {
+    // Light and viewer straight above: E (specular (n + 2) / (2 pi) + diffuse / pi)
+    let lamp = Lamp { position: Vec3::Z, color: Color::WHITE, power: 1.0 };
+    let stage = Stage { lamps: [Some(lamp), None], ..floor(-Vec3::Z) };
+    let shader = Phong { diffuse: Arc::new(Color::grey(0.25)), specular: Color::grey(0.5), exponent: 6.0 };
+    let arriving = lamp.arriving(1.0).to_array()[0];
+    let expected = arriving * (0.5 * 8.0 / std::f32::consts::TAU + 0.25 / std::f32::consts::PI);
+    let shown = stage.shown(&shader).color.to_array()[0];
+    // Sunflow's rays start a little nearer to the light.
+    assert!((shown - expected).abs() < 1e-3 * expected, "{shown} instead of {expected}");
+}
+
+#[test]
+fn matt_surfaces_say_by_which_formula_they_ask() {
+    let (diffuse, specular, exponent) = (Arc::new(Color::WHITE), Color::BLACK, 1.0);
+    let report = ReportPhong { diffuse: diffuse.clone(), specular, exponent };
+    assert_eq!(report.asks_lights(), Some(LightFormula::Report));
+    assert_eq!(Phong { diffuse, specular, exponent }.asks_lights(), Some(LightFormula::Sunflow));
+}
