@@ -146,13 +146,13 @@ mod tests {
     #[test]
     fn a_plane_moves_with_its_points_and_its_texture() {
         let floor = Plane::from_normal(Vec3::ZERO, Vec3::Z).unwrap();
-        let by = crate::Transform::scale(glam::DVec3::new(2.0, 1.0, 3.0))
-            .then(&crate::Transform::translation(glam::DVec3::new(0.0, 0.0, 1.0)));
+        let by = crate::Transform::scale(DVec3::new(2.0, 1.0, 3.0))
+            .then(&crate::Transform::translation(DVec3::new(0.0, 0.0, 1.0)));
         let moved = floor.transformed(&by).unwrap();
         let ray = Ray::new(Vec3::new(0.0, 0.0, 5.0), -Vec3::Z);
         assert_eq!(moved.intersect(&ray, Interval::FORWARD), Some(Intersection::at(4.0)));
         assert_eq!(uv_below(&moved, 1.0, 0.25), uv_below(&floor, 0.5, 0.25));
-        assert_eq!(floor.transformed(&crate::Transform::scale(glam::DVec3::ZERO)).map(|_| ()), None);
+        assert_eq!(floor.transformed(&crate::Transform::scale(DVec3::ZERO)).map(|_| ()), None);
     }
 
     fn uv_below(plane: &Plane, x: f32, y: f32) -> Vec2 {
