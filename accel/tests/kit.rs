@@ -44,3 +44,16 @@ fn with(instructions: Instructions, all: Primitives) -> Box<dyn Accelerator> {
     let built = wide_with(all.clone(), Hits::Exact, instructions);
     built.unwrap_or_else(|| accel::wide(all))
 }
+
+/// Of the many rays that a law asks about, a report shows the one that is answered wrongly.
+#[test]
+fn a_broken_law_shows_a_single_ray() {
+    use accel::conformance::accelerator::{LAWS, Part};
+    // An accelerator that has lost everything.
+    let part: Part = |_| accel::none(Primitives::default());
+    for name in ["the_nearest_of_several_is_found", "every_ray_finds_what_asking_every_primitive_finds"] {
+        let law = LAWS.iter().find(|law| law.name == name).expect("a law of the kit");
+        let broken = law.check(&part, &geometry::conformance::Trial { cases: 16, seed: 1 }).expect_err(name);
+        assert_eq!(broken.counterexample.case.matches("Ray {").count(), 1, "{broken}");
+    }
+}

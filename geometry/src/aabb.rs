@@ -95,13 +95,14 @@ impl BoxProbe {
     /// Makes a ray ready. `magnitude` is the greatest absolute coordinate ([`Aabb::magnitude`]) of the boxes to come.
     pub fn new(ray: &Ray, magnitude: f32) -> Self {
         const NEGLIGIBLE: f32 = 1.0 / (1_u128 << 100) as f32;
-        const LARGE: f32 = (1_u128 << 64) as f32;
+        const SHORT: f32 = 1.0 / (1_u128 << 64) as f32;
+        const LONG: f32 = (1_u128 << 64) as f32;
         let largest = ray.direction.abs().max_element();
         let floor = (largest * NEGLIGIBLE).max(f32::MIN_POSITIVE);
         let invert = |d: f32| 1.0 / if d.abs() < floor { floor.copysign(d) } else { d };
         let inverse = Vec3::new(invert(ray.direction.x), invert(ray.direction.y), invert(ray.direction.z));
-        let is_near = ray.origin.abs().max_element() <= LARGE * (magnitude + f32::MIN_POSITIVE);
-        let slack = if is_near && (1.0 / LARGE..=LARGE).contains(&largest) {
+        let is_near = ray.origin.abs().max_element() <= LONG * (magnitude + f32::MIN_POSITIVE);
+        let slack = if is_near && (SHORT..=LONG).contains(&largest) {
             let smallest = Vec3::splat(f32::MIN_POSITIVE);
             (4.0 * UNIT_ROUNDOFF * (ray.origin.abs() + magnitude) + smallest) * inverse.abs() + smallest
         } else {

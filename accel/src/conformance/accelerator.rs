@@ -223,7 +223,7 @@ fn closest(part: &Part, asked: &Asked, seen: fn(Hit) -> Option<Hit>) -> Verdict 
         if expected.and_then(seen) == found.and_then(seen) {
             Ok(())
         } else {
-            Err(wrong(asked, ray, "", expected, found).of(&asked.alone(*ray, *within)))
+            Err(wrong(&asked.alone(*ray, *within), ray, "", expected, found))
         }
     })
 }
@@ -238,7 +238,7 @@ fn any(part: &Part, asked: &Asked) -> Verdict {
         if expected.is_some() == found {
             Ok(())
         } else {
-            Err(wrong_any(asked, ray, "any", expected, found).of(&asked.alone(*ray, *within)))
+            Err(wrong_any(&asked.alone(*ray, *within), ray, "any", expected, found))
         }
     })
 }
@@ -277,11 +277,10 @@ fn everything(part: &Part, asked: &Asked, primitives: &Primitives) -> Verdict {
         let expected = nearest_of_all(primitives, &ray, within);
         let alone = built.closest(&ray, within);
         if alone != expected {
-            return Err(wrong(asked, &ray, "", expected, alone).of(&asked.alone(ray, within)));
+            return Err(wrong(&asked.alone(ray, within), &ray, "", expected, alone));
         }
         if built.any(&ray, within) != expected.is_some() {
-            let found = expected.is_none();
-            return Err(wrong_any(asked, &ray, "any", expected, found).of(&asked.alone(ray, within)));
+            return Err(wrong_any(&asked.alone(ray, within), &ray, "any", expected, expected.is_none()));
         }
         let expected = nearest_of_all(primitives, &ray, Interval::FORWARD);
         if together != expected {
@@ -294,12 +293,14 @@ fn everything(part: &Part, asked: &Asked, primitives: &Primitives) -> Verdict {
     Ok(())
 }
 
+/// How a ray of those asked was answered: `asked` is as little as it takes, one ray or all that were asked together.
 fn wrong(asked: &Asked, ray: &Ray, how: &str, expected: Option<Hit>, found: Option<Hit>) -> Box<Counterexample> {
     let which = format!("{how}{ray:?}: ");
-    Counterexample::new(format!("{which}{expected:?}"), format!("{found:?}")).drawn(asked.drawn(ray, expected, found))
+    let broken = Counterexample::new(format!("{which}{expected:?}"), format!("{found:?}"));
+    broken.of(asked).drawn(asked.drawn(ray, expected, found))
 }
 
 fn wrong_any(asked: &Asked, ray: &Ray, how: &str, hit: Option<Hit>, found: bool) -> Box<Counterexample> {
     let expected = format!("{how}, {ray:?}: {}, since the nearest hit is {hit:?}", hit.is_some());
-    Counterexample::new(expected, format!("{found}")).drawn(asked.drawn(ray, hit, None))
+    Counterexample::new(expected, format!("{found}")).of(asked).drawn(asked.drawn(ray, hit, None))
 }

@@ -121,10 +121,8 @@ impl<'s> Parser<'s> {
                 let fov = self.float(field)?;
                 if !(0.0 < fov.value && fov.value < 180.0) {
                     let message = "a plane shows more than 0 and less than 180 degrees";
-                    let warning = Diagnostic::warning(Code::ImpossibleView, fov.span, message)
-                        .label("the picture is as wide as twice the tangent of half of this, as Sunflow's is")
-                        .help("60 is usual");
-                    self.context.report(warning);
+                    let effect = "is as wide as twice the tangent of half of this";
+                    self.warn_of_view(fov.span, message, effect, "60 is usual");
                 }
                 fields.fov = Some(fov);
             }
@@ -132,16 +130,24 @@ impl<'s> Parser<'s> {
                 let aspect = self.float_that(field, "other than 0", |aspect| aspect != 0.0)?;
                 if aspect.value < 0.0 {
                     let message = "the width of a plane over its height is more than 0";
-                    let warning = Diagnostic::warning(Code::ImpossibleView, aspect.span, message)
-                        .label("the picture is upside down, as Sunflow's is")
-                        .help("write the picture's width over its height");
-                    self.context.report(warning);
+                    self.warn_of_view(
+                        aspect.span,
+                        message,
+                        "is upside down",
+                        "write the picture's width over its height",
+                    );
                 }
                 fields.aspect = Some(aspect);
             }
             _ => fields.shift = Some(self.floats(field)?),
         }
         Ok(Field::Known)
+    }
+
+    /// Of a view that no plane can show, and what becomes of the picture.
+    fn warn_of_view(&mut self, place: Span, message: &str, effect: &str, help: &str) {
+        let warning = Diagnostic::warning(Code::ImpossibleView, place, message);
+        self.context.report(warning.label(format!("the picture {effect}, as Sunflow's is")).help(help));
     }
 
     fn lens_field(&mut self, fields: &mut Fields, field: Token<'s>) -> Read<Field> {

@@ -16,12 +16,12 @@ impl<'s> Parser<'s> {
     /// Keeps a word of a block of which nothing is known, and with a brace all up to the one that closes it.
     pub(super) fn collect(&mut self, first: Token<'s>, words: &mut Words) -> Read<Field> {
         self.mark(first, Mark::Unknown);
-        words.push(self.kept(first));
+        words.push(self.kept_with_code(first));
         if first.is_open() {
             let inside = self.cursor.depth();
             while self.cursor.depth() >= inside && !self.cursor.at_statement() {
                 let Some(word) = self.cursor.next() else { break };
-                words.push(self.kept(word));
+                words.push(self.kept_with_code(word));
             }
         }
         Ok(Field::Known)
@@ -30,7 +30,7 @@ impl<'s> Parser<'s> {
     /// A word that was taken, and with `<code>` all lines up to `</code>`, as one word with them.
     ///
     /// Program text is not made of the format's words: a `%` in it is no comment.
-    fn kept(&mut self, word: Token<'s>) -> Spanned<String> {
+    fn kept_with_code(&mut self, word: Token<'s>) -> Spanned<String> {
         let mut word = kept(word);
         let code = (word.value == "<code>").then(|| self.code_lines()).flatten();
         if let Some(lines) = code {
@@ -54,7 +54,7 @@ impl<'s> Parser<'s> {
         let warning = Diagnostic::warning(Code::UnknownStatement, keyword.span, message)
             .label("skipped, with all that belongs to it");
         self.context.report(Diagnostic { help: comment_help(keyword.text).map(str::to_owned), ..warning });
-        let (first, mut words) = (self.kept(keyword), Vec::new());
+        let (first, mut words) = (self.kept_with_code(keyword), Vec::new());
         while !self.cursor.at_statement() && !self.at_other_line() {
             let Some(word) = self.cursor.peek().filter(|word| !word.is_close()) else { break };
             if word.is_open() {
@@ -62,7 +62,7 @@ impl<'s> Parser<'s> {
                 break;
             }
             self.cursor.next();
-            words.push(self.kept(word));
+            words.push(self.kept_with_code(word));
         }
         Ok(Unknown { keyword: first, words })
     }
@@ -78,7 +78,7 @@ impl<'s> Parser<'s> {
         let (cursor, kept_before) = (self.cursor.clone(), words.len());
         if !self.unbalanced {
             while let Some(word) = self.cursor.next() {
-                words.push(self.kept(word));
+                words.push(self.kept_with_code(word));
                 if self.cursor.depth() == 0 {
                     return Ok(());
                 }

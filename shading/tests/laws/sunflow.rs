@@ -84,8 +84,7 @@ fn a_highlight_of_sunflows_has_its_factor() {
     let arriving = lamp.arriving(1.0).to_array()[0];
     let expected = arriving * (0.5 * 8.0 / std::f32::consts::TAU + 0.25 / std::f32::consts::PI);
     let shown = stage.shown(&shader).color.to_array()[0];
-    // Sunflow's rays start a little nearer to the light.
-    assert!((shown - expected).abs() < 1e-3 * expected, "{shown} instead of {expected}");
+    assert!((shown - expected).abs() < 1e-6 * expected, "{shown} instead of {expected}");
 }
 
 #[test]
