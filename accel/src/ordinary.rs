@@ -23,6 +23,12 @@ mod tests {
     fn rays_of_scenes_are_ordinary_and_others_are_not() {
         assert!(is_ordinary(&Ray::new(Vec3::splat(-1e9), Vec3::new(0.0, 1e-9, -0.0))));
         assert!(is_ordinary(&Ray::new(Vec3::ZERO, Vec3::new(1e9, 1e-44, 0.0))));
+        // A small component does not make up for a large one.
+        for large in [Vec3::new(1e20, 1e-15, 0.0), Vec3::new(0.0, 1e20, 1e-15), FARTHEST * Vec3::Y] {
+            assert!(!is_ordinary(&Ray::new(large, Vec3::X)), "{large}");
+            assert!(!is_ordinary(&Ray::new(Vec3::X, large)), "{large}");
+        }
+        assert!(!is_ordinary(&Ray::new(Vec3::X, Vec3::Z / FARTHEST)));
         for odd in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e20] {
             for axis in 0..3 {
                 let mut v = Vec3::ONE;

@@ -49,6 +49,15 @@ fn a_ray_that_is_no_number_asks_every_primitive() {
     }
 }
 
+/// The unit of all costs is a primitive that is asked.
+#[test]
+fn a_leaf_is_expected_to_cost_what_asking_its_primitives_costs() {
+    let mut two = Primitives::default();
+    two.add_sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
+    two.add_sphere(Sphere { center: Vec3::X, radius: 1.0 });
+    assert_eq!([none, octree, wide].map(|build| build(two.clone()).statistics().cost), [2.0; 3]);
+}
+
 #[test]
 fn each_accelerator_is_expected_to_cost_less_than_the_one_before_it() {
     let costs = [none, octree, wide].map(|build| build(spheres()).statistics().cost);

@@ -218,6 +218,26 @@ fn time_shows_each_part_and_the_rays() {
     assert_eq!(lines[4][1..7], ["200", "camera,", "0", "secondary,", "0", "shadow:"]);
 }
 
+/// Neither pixels nor what comes before them, here nearly all: a mesh is generated, and a tree built.
+#[test]
+#[cfg(unix)]
+fn one_thread_takes_no_more_of_the_processors_than_the_clock_says() {
+    let folder = folder();
+    let mut shell = folder.command_of("sh".as_ref(), &["-c", "\"$@\" && times", "sh", PROGRAM]);
+    shell.args(["render", "organic", "--size", "64x48", "--quiet", "--threads", "1"]);
+    let start = Instant::now();
+    let output = shell.output().unwrap();
+    let clock = start.elapsed().as_secs_f64();
+    // The last line is of what the shell has started: `0m0.412s 0m0.013s`, the program's own and the system's.
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    let seconds = stdout.lines().last().unwrap().split_whitespace().map(|time| {
+        let (minutes, seconds) = time.strip_suffix('s').unwrap().split_once('m').unwrap();
+        60.0 * minutes.parse::<f64>().unwrap() + seconds.parse::<f64>().unwrap()
+    });
+    let taken: f64 = seconds.sum();
+    assert!(taken > 0.05 && taken < 1.1 * clock, "{taken} s of {clock}");
+}
+
 #[test]
 fn a_picture_is_called_like_its_scene_unless_told_otherwise() {
     let folder = folder();

@@ -147,6 +147,9 @@ impl Build {
             .args(["build", "--locked", "--quiet", "-p", "cli", "--no-default-features"])
             .args(["--bin", "girasol", "--profile", self.profile, "--target-dir"])
             .arg(&built)
+            // Of what is not ours, only what computes pixels is optimised.
+            .args(["--config", "profile.release.package.'*'.opt-level=0"])
+            .args(["glam", "libm"].map(|crate_| format!("--config=profile.release.package.{crate_}.opt-level=3")))
             .args(self.target.iter().flat_map(|target| ["--target", target]))
             .env("RUSTFLAGS", self.flags)
             .env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER", "aarch64-linux-gnu-gcc")
