@@ -58,7 +58,7 @@ fn main() {
         let steps: [(&str, usize, Calls); 8] = [
             ("every primitive", 0, Calls::Single),
             ("the textbook octree", 1, Calls::Single),
-            ("eight boxes a node, one level", 2, Calls::Single),
+            ("boxes side by side, one level a node", 2, Calls::Single),
             ("the cheapest cuts", 3, Calls::Single),
             (IN_PIECES, 4, Calls::Single),
             ("... in packets", 4, Calls::Many),

@@ -4,7 +4,7 @@
 //!
 //! * [`none`] asks every primitive;
 //! * [`octree`] asks those in the cells that the ray passes (the report's section 4.1);
-//! * [`wide`] makes of the same cells nodes of eight boxes and blocks of eight triangles, each tested in one step.
+//! * [`wide`] makes of the same cells nodes of sixteen boxes and blocks of eight triangles, each tested in one step.
 //!
 //! All are plain functions from [`geometry::Primitives`] to an [`Accelerator`], and so is anybody's own.
 //!

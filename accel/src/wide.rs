@@ -1,4 +1,4 @@
-//! The octree, made for a processor that does eight things at once.
+//! The octree, made for a processor that does many things at once.
 //!
 //! The plain octree spends its time on one box, one plane, one primitive after the other, each waiting for the last. Here the cells are the same:
 //! a cube around all primitives, halved and halved again. But each primitive stands in one cell only, the one of its centre, and what a
@@ -6,7 +6,7 @@
 //! grouping that costs a ray least is found. Long thin triangles may stand in pieces, each in its own cell, if that costs less.
 //!
 //! ```text
-//!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of eight boxes   --> ray: eight boxes in a step
+//!   primitives --> codes, sorted --> cells --> cheapest cuts --> nodes of 16 boxes      --> ray: 16 boxes in a step
 //!    pieces.rs       morton.rs      cells.rs   collapse.rs       blocks of eight triangles       eight triangles in a step
 //!                                  cheapest.rs  slot.rs          layout.rs, rows.rs, build.rs   boxes.rs, triangles.rs, traverse.rs
 //! ```
@@ -55,7 +55,7 @@ pub use step::Step;
 const MOST_LEVELS: usize = 3 * (21 + 11);
 
 /// What a ray can have to visit, at most: of each level the slots that it is not in.
-const MOST_PENDING: usize = 7 * MOST_LEVELS + 1;
+const MOST_PENDING: usize = 15 * MOST_LEVELS + 1;
 
 /// Builds the wide octree; its hits are those of [`crate::none`], bit for bit.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {

@@ -85,7 +85,7 @@ pub(crate) enum AcceleratorName {
     None,
     /// Cubes halved into eight, as in the report.
     Octree,
-    /// The same cubes, gathered into nodes of eight boxes that are tested at once.
+    /// The same cubes, gathered into nodes of sixteen boxes that are tested at once.
     Wide,
 }
 

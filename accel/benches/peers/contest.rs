@@ -83,7 +83,7 @@ pub fn differences(rays: &[Ray], ask: Ask, one: &dyn Tracer, other: &dyn Tracer)
     rays.iter().filter(differ).count()
 }
 
-const ROUNDS: usize = 9;
+const ROUNDS: usize = 21;
 
 /// The seconds of each contestant on the processor: the median of some rounds, in each of which everyone traces all rays. Time that
 /// other programs take is not counted; on a busy machine it doubled single ratios.

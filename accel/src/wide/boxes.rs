@@ -1,4 +1,4 @@
-//! Rays against boxes: one against the eight of a node, or many against one.
+//! Rays against boxes: one against the sixteen of a node, or many against one.
 
 use geometry::Ray;
 
@@ -109,8 +109,8 @@ impl<T> BoxRays<T> {
 impl Node {
     /// The nearer and the farther planes of all boxes on an axis.
     #[inline(always)]
-    pub(super) fn planes_of_all<I: Isa>(&self, isa: I, sides: [usize; 3], axis: usize) -> [I::F32x8; 2] {
+    pub(super) fn planes_of_all<I: Isa>(&self, isa: I, sides: [usize; 3], axis: usize) -> [I::F32x16; 2] {
         let (planes, side) = (&self.planes[axis], sides[axis] & 1);
-        [I::F32x8::load(isa, &planes[side]), I::F32x8::load(isa, &planes[side ^ 1])]
+        [I::F32x16::load(isa, &planes[side]), I::F32x16::load(isa, &planes[side ^ 1])]
     }
 }

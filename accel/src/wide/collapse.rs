@@ -1,6 +1,6 @@
 //! Which cells become slots of which wide node.
 //!
-//! A wide node has eight slots, and the eight boxes in them are tested at once; a slot that is empty is work for nothing. An octree's
+//! A wide node has sixteen slots, and the boxes in them are tested at once; a slot that is empty is work for nothing. An octree's
 //! cell rarely has eight eighths that hold something, and some hold much and others little. So a wide node is not one cell but a
 //! *cut* through the octree below a cell: a big eighth may be shown as its own eighths, several small neighbours may share a slot.
 //!
@@ -23,14 +23,14 @@ use geometry::Aabb;
 use super::cells::{Cell, Divided};
 
 /// The slots of a wide node.
-pub(super) const SLOTS: usize = 8;
+pub(super) const SLOTS: usize = 16;
 
 /// What visiting a wide node costs: the unit.
 const NODE: f32 = 1.0;
 /// What a block of eight triangles costs.
-const BLOCK: f32 = 0.7;
+const BLOCK: f32 = 0.56;
 /// What asking one primitive costs.
-const ASKED: f32 = 0.5;
+const ASKED: f32 = 0.4;
 
 /// A cost counted in primitives that are asked one by one: the unit that all accelerators share.
 pub(super) fn in_primitives(cost: f32) -> f32 {

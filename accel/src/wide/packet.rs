@@ -203,6 +203,13 @@ impl<I: Isa> Packet<I> {
         })
     }
 
+    /// A number for all boxes of a node.
+    #[inline(always)]
+    fn of_boxes(&self, value: f32) -> I::F32x16 {
+        I::F32x16::splat(self.isa, value)
+    }
+
+    /// A number for all triangles of a block.
     #[inline(always)]
     fn number(&self, value: f32) -> I::F32x8 {
         I::F32x8::splat(self.isa, value)
@@ -211,15 +218,15 @@ impl<I: Isa> Packet<I> {
     /// Where the first ray of all may enter each box, and a bit for each box that some ray may meet. Rounding keeps order, and this rounds less
     /// often than [`BoxRays`] allows each ray for: no box that holds a hit is lost.
     #[inline(always)]
-    fn meet_together(&self, node: &Node, farthest: f32) -> (I::F32x8, u32) {
-        let mut enters = self.number(self.within.min);
-        let mut leaves = self.number(farthest);
+    fn meet_together(&self, node: &Node, farthest: f32) -> (I::F32x16, u32) {
+        let mut enters = self.of_boxes(self.within.min);
+        let mut leaves = self.of_boxes(farthest);
         for axis in 0..3 {
             let [near, far] = node.planes_of_all(self.isa, self.sides, axis);
             let [least, greatest] = self.beam.inverses[axis];
-            let (least, greatest) = (self.number(least), self.number(greatest));
-            let near = near - self.number(self.beam.first[axis]);
-            let far = far - self.number(self.beam.last[axis]);
+            let (least, greatest) = (self.of_boxes(least), self.of_boxes(greatest));
+            let near = near - self.of_boxes(self.beam.first[axis]);
+            let far = far - self.of_boxes(self.beam.last[axis]);
             enters = enters.max((near * least).min(near * greatest));
             leaves = leaves.min((far * least).max(far * greatest));
         }

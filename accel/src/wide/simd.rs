@@ -36,9 +36,9 @@ pub(super) use stack::{Room, Stack};
 
 /// An instruction set that this processor has.
 pub(super) trait Isa: Copy {
-    /// Eight `f32`: a number of each box of a node, of each triangle of a block.
+    /// Eight `f32`: a number of each triangle of a block.
     type F32x8: Lanes<Self, Row = [f32; 8]>;
-    /// Sixteen `f32`: a number of each ray of a packet.
+    /// Sixteen `f32`: a number of each box of a node, of each ray of a packet.
     type F32x16: Lanes<Self, Row = [f32; 16]>;
 
     /// Runs code compiled for the instruction set. What it calls must be `#[inline(always)]` to be compiled with it.

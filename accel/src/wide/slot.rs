@@ -34,8 +34,8 @@ impl<'a> Slot<'a> {
 
     /// A cell's eighths, each in a slot of its own.
     pub(super) fn eighths(self) -> [Option<Self>; SLOTS] {
-        let eighth = |place| self.cell.divided.as_ref()?.eighth(place);
-        std::array::from_fn(|place| eighth(place).map(Self::whole))
+        let eighth = |place| self.cell.divided.as_ref()?.eighth(place).map(Self::whole);
+        std::array::from_fn(|slot| if slot < 8 { eighth(slot) } else { None })
     }
 
     /// How many references in it are asked one by one.

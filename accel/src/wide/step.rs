@@ -1,7 +1,7 @@
 /// How far the wide octree is built: each step has those before it in it. For comparison; [`wide`](fn@crate::wide) takes the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
-    /// Each node is one cell of the octree, and its slots are the cell's eighths.
+    /// Each node is one cell of the octree, and half of its slots are the cell's eighths.
     OneLevel,
     /// Nodes are the cheapest cuts through several levels.
     CheapestCuts,

@@ -32,7 +32,7 @@ pub(super) fn distance(pending: Pending) -> f32 {
 struct Bound<I: Isa> {
     isa: I,
     sides: [usize; 3],
-    boxes: BoxRays<I::F32x8>,
+    boxes: BoxRays<I::F32x16>,
 }
 
 impl<I: Isa> Bound<I> {
@@ -41,15 +41,15 @@ impl<I: Isa> Bound<I> {
         let boxes = BoxRays::new(isa, ray.origin.to_array(), ray.direction.to_array(), min, reach);
         let boxes = boxes.map(
             #[inline(always)]
-            |&number| I::F32x8::splat(isa, number),
+            |&number| I::F32x16::splat(isa, number),
         );
         Self { isa, sides: near_sides(ray), boxes }
     }
 
     /// Where the ray enters each box of a node, and a bit for each that it enters before the limit.
     #[inline(always)]
-    fn enter(&self, node: &Node, limit: f32) -> (I::F32x8, u32) {
-        let limit = I::F32x8::splat(self.isa, limit);
+    fn enter(&self, node: &Node, limit: f32) -> (I::F32x16, u32) {
+        let limit = I::F32x16::splat(self.isa, limit);
         self.boxes.meet(
             #[inline(always)]
             |axis| node.planes_of_all(self.isa, self.sides, axis),
@@ -64,10 +64,10 @@ impl<I: Isa> Bound<I> {
         if met == 0 {
             return None;
         }
-        let mut distances = [0.0; 8];
+        let mut distances = [0.0; 16];
         enters.store(&mut distances);
         // Of one or of two: which it is cannot be foreseen, so both go the same way.
-        let (first, last) = (met.trailing_zeros() as usize & 7, met.ilog2() as usize & 7);
+        let (first, last) = (met.trailing_zeros() as usize & 15, met.ilog2() as usize & 15);
         if met == 1 << first | 1 << last {
             let (one, other) =
                 (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
@@ -81,10 +81,10 @@ impl<I: Isa> Bound<I> {
     }
 
     #[inline(always)]
-    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; 8], stack: &mut Stack<Pending>) -> Link {
+    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; 16], stack: &mut Stack<Pending>) -> Link {
         let first = met.trailing_zeros() as usize;
         met &= met - 1;
-        let entry = |slot: usize| pending(distances[slot & 7], node.links[slot & 7]);
+        let entry = |slot: usize| pending(distances[slot & 15], node.links[slot & 15]);
         let mut best = entry(first);
         let start = stack.len();
         while met != 0 {
@@ -285,10 +285,10 @@ pub(super) fn any<I: Isa, D: Decide>(
             if met == 0 {
                 break;
             }
-            link = node.links[met.trailing_zeros() as usize & 7];
+            link = node.links[met.trailing_zeros() as usize & 15];
             met &= met - 1;
             while met != 0 {
-                stack.push(node.links[met.trailing_zeros() as usize & 7]);
+                stack.push(node.links[met.trailing_zeros() as usize & 15]);
                 met &= met - 1;
             }
         }

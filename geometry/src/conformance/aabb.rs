@@ -25,7 +25,7 @@
 //!
 //! **Exercises.** 1. Pass the kit up to `a_box_is_not_lost_by_a_ray_along_the_axes`. 2. Pass `a_box_that_the_exact_ray_meets_is_never_missed`:
 //! by how much must an interval be widened, and why? 3. Pass it all: never too little *and* hardly too much. 4. Beat the reference:
-//! eight boxes in one step (`accel`'s `wide/boxes.rs`).
+//! sixteen boxes in one step (`accel`'s `wide/boxes.rs`).
 //!
 //! # Mistakes, and the law that names each
 //!

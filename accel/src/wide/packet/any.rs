@@ -33,7 +33,7 @@ pub(in crate::wide) fn any<I: Isa, D: Decide>(
             let node = &tree.nodes[link.bits() as usize];
             let (_, boxes) = packet.meet_together(node, within.max);
             for slot in bits(boxes) {
-                let slot = slot & 7;
+                let slot = slot & 15;
                 let rays = packet.meet_box(node, slot, &limits) & active;
                 if rays != 0 {
                     tree.prefetch(node.links[slot]);

@@ -33,11 +33,11 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
         if link.is_node() {
             let node = &tree.nodes[link.bits() as usize];
             let (enters, boxes) = packet.meet_together(node, hits.farthest);
-            let mut distances = [0.0; 8];
+            let mut distances = [0.0; 16];
             enters.store(&mut distances);
             let start = stack.len();
             for slot in bits(boxes) {
-                let slot = slot & 7;
+                let slot = slot & 15;
                 let rays = packet.meet_box(node, slot, &hits.high) & active;
                 if rays != 0 {
                     tree.prefetch(node.links[slot]);
