@@ -285,8 +285,9 @@ impl Template {
              [dependencies]\n{dependencies}glam = \"{GLAM}\"\n\n\
              # As girasol itself is built: tests try many cases.\n\
              [profile.dev]\nopt-level = 2\ndebug = \"line-tables-only\"\n\n\
-             [profile.dev.package.proptest]\ndebug-assertions = false\n\n\
-             [profile.release]\ncodegen-units = 1\nlto = \"thin\"\n"
+             [profile.dev.package]\nproptest.debug-assertions = false\nmoxcms.opt-level = 0\npxfm.opt-level = 0\n\n\
+             [profile.release]\ncodegen-units = 1\nlto = \"thin\"\n\n\
+             [profile.release.package]\nmoxcms.opt-level = 0\npxfm.opt-level = 0\n"
         )
     }
 
