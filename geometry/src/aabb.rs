@@ -153,6 +153,13 @@ mod tests {
     }
 
     #[test]
+    fn a_box_contains_another_if_neither_end_sticks_out() {
+        let moved = |low: f32, high: f32| Aabb { min: Vec3::splat(low), max: Vec3::splat(high) };
+        assert!(UNIT.contains(UNIT) && UNIT.contains(moved(0.25, 0.75)));
+        assert!(!UNIT.contains(moved(-0.25, 0.75)) && !UNIT.contains(moved(0.25, 1.25)));
+    }
+
+    #[test]
     fn a_ray_through_the_middle_meets_the_box_and_one_beside_it_does_not() {
         assert!(meets(UNIT, [-1.0, 0.5, 0.5], [1.0, 0.0, 0.0]));
         assert!(!meets(UNIT, [-1.0, 1.5, 0.5], [1.0, 0.0, 0.0]));

@@ -132,6 +132,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_plane_knows_the_point_that_it_was_given() {
+        let point = Vec3::new(1.0, 2.0, 3.0);
+        assert_eq!(Plane::from_normal(point, Vec3::Z).map(|plane| plane.point()), Some(point));
+    }
+
+    #[test]
     fn a_plane_is_met_from_both_sides_and_never_by_a_parallel_ray() {
         let floor = Plane::from_normal(Vec3::ZERO, Vec3::new(0.0, 0.0, 2.0)).unwrap();
         for (z, direction) in [(3.0, -Vec3::Z), (-3.0, Vec3::Z)] {
