@@ -46,7 +46,7 @@ use crate::{
     ordinary::is_ordinary,
 };
 use decide::{Decide, Exact, Watertight};
-use layout::{Block, Link, Mixed, Node};
+use layout::{Block, Link, Mixed, Node, SLOTS};
 use simd::{Isa, Portable};
 pub use step::Step;
 
@@ -55,7 +55,7 @@ pub use step::Step;
 const MOST_LEVELS: usize = 3 * (21 + 11);
 
 /// What a ray can have to visit, at most: of each level the slots that it is not in.
-const MOST_PENDING: usize = 15 * MOST_LEVELS + 1;
+const MOST_PENDING: usize = (SLOTS - 1) * MOST_LEVELS + 1;
 
 /// Builds the wide octree; its hits are those of [`crate::none`], bit for bit.
 pub fn wide(primitives: Primitives) -> Box<dyn Accelerator> {

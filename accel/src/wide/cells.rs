@@ -3,7 +3,8 @@
 use geometry::Aabb;
 
 use super::{
-    collapse::{Cuts, SLOTS, leaf_cost},
+    collapse::{Cuts, leaf_cost},
+    layout::SLOTS,
     morton::{Coded, LEVELS},
 };
 
@@ -18,9 +19,9 @@ pub(super) struct Cell {
     pub(super) asked: u32,
     /// Tight around them; not the cube.
     pub(super) bounds: Aabb,
-    /// What its content costs a ray, shown in 1 to 8 slots of a wide node.
+    /// What its content costs a ray, shown in 1 to [`SLOTS`] slots of a wide node.
     pub(super) costs: [f32; SLOTS],
-    /// How many slots it can fill, of 8: in a leaf one.
+    /// How many slots of a node it can fill: a leaf one.
     pub(super) fills: u8,
     /// `None` in a leaf.
     pub(super) divided: Option<Box<Divided>>,

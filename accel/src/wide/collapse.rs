@@ -20,10 +20,10 @@
 
 use geometry::Aabb;
 
-use super::cells::{Cell, Divided};
-
-/// The slots of a wide node.
-pub(super) const SLOTS: usize = 16;
+use super::{
+    cells::{Cell, Divided},
+    layout::SLOTS,
+};
 
 /// What visiting a wide node costs: the unit.
 const NODE: f32 = 1.0;
@@ -184,14 +184,14 @@ impl Cuts {
     }
 }
 
-/// What is in a union, and the cheapest cost of showing it in at most 0 to 8 slots.
+/// What is in a union, and the cheapest cost of showing it in at most 0 to [`SLOTS`] slots.
 #[derive(Clone, Copy)]
 struct Shape {
     bounds: Aabb,
     count: u32,
     asked: u32,
     costs: [f32; SLOTS + 1],
-    /// So many slots, at most 8, it can fill: more cost the same.
+    /// So many slots of a node it can fill: more cost the same.
     fills: usize,
 }
 

@@ -3,6 +3,9 @@
 use geometry::Aabb;
 use glam::Vec3;
 
+/// The boxes of a node: as many as there are lanes in a step.
+pub(super) const SLOTS: usize = 16;
+
 /// A cut of the octree: sixteen boxes side by side, and what is in each.
 ///
 /// 448 bytes, seven cache lines: a row of sixteen numbers for each of the six planes, so that one load brings a plane of all the boxes.
@@ -10,14 +13,14 @@ use glam::Vec3;
 #[repr(C, align(64))]
 pub(super) struct Node {
     /// For x, y, z: the lower planes, the upper planes.
-    pub(super) planes: [[[f32; 16]; 2]; 3],
-    pub(super) links: [Link; 16],
+    pub(super) planes: [[[f32; SLOTS]; 2]; 3],
+    pub(super) links: [Link; SLOTS],
 }
 
 impl Node {
     /// With no slot taken: boxes that no ray meets.
     pub(super) const EMPTY: Self =
-        Self { planes: [[[f32::INFINITY; 16], [f32::NEG_INFINITY; 16]]; 3], links: [Link::NOTHING; 16] };
+        Self { planes: [[[f32::INFINITY; SLOTS], [f32::NEG_INFINITY; SLOTS]]; 3], links: [Link::NOTHING; SLOTS] };
 
     pub(super) fn set(&mut self, slot: usize, bounds: Aabb, link: Link) {
         for axis in 0..3 {

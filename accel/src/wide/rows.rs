@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use super::{
     cells::Cell,
     cheapest::is_in_block,
-    collapse::{MOST_IN_A_LEAF, SLOTS, in_primitives, leaf_cost, node_cost},
-    layout::{Link, Linked, Mixed, Node},
+    collapse::{MOST_IN_A_LEAF, in_primitives, leaf_cost, node_cost},
+    layout::{Link, Linked, Mixed, Node, SLOTS},
     slot::{Slot, cut},
     step::Step,
 };

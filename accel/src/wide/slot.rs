@@ -4,7 +4,8 @@ use geometry::Aabb;
 
 use super::{
     cells::Cell,
-    collapse::{SLOTS, Shown, Union, WHOLE, covers, lone_eighth},
+    collapse::{Shown, Union, WHOLE, covers, lone_eighth},
+    layout::SLOTS,
 };
 
 /// What is shown in one slot of a node.

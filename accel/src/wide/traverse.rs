@@ -8,7 +8,7 @@ use super::{
     Tree,
     boxes::{BoxRays, near_sides, reach},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
-    layout::{Block, Link, Linked, Mixed, Node},
+    layout::{Block, Link, Linked, Mixed, Node, SLOTS},
     simd::{Isa, Lanes, Room, Stack, bits, prefetch},
     triangles::{Met, TriangleRays},
 };
@@ -64,10 +64,10 @@ impl<I: Isa> Bound<I> {
         if met == 0 {
             return None;
         }
-        let mut distances = [0.0; 16];
+        let mut distances = [0.0; SLOTS];
         enters.store(&mut distances);
         // Of one or of two: which it is cannot be foreseen, so both go the same way.
-        let (first, last) = (met.trailing_zeros() as usize & 15, met.ilog2() as usize & 15);
+        let (first, last) = (met.trailing_zeros() as usize & (SLOTS - 1), met.ilog2() as usize & (SLOTS - 1));
         if met == 1 << first | 1 << last {
             let (one, other) =
                 (pending(distances[first], node.links[first]), pending(distances[last], node.links[last]));
@@ -81,10 +81,10 @@ impl<I: Isa> Bound<I> {
     }
 
     #[inline(always)]
-    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; 16], stack: &mut Stack<Pending>) -> Link {
+    fn visit_many(&self, node: &Node, mut met: u32, distances: &[f32; SLOTS], stack: &mut Stack<Pending>) -> Link {
         let first = met.trailing_zeros() as usize;
         met &= met - 1;
-        let entry = |slot: usize| pending(distances[slot & 15], node.links[slot & 15]);
+        let entry = |slot: usize| pending(distances[slot & (SLOTS - 1)], node.links[slot & (SLOTS - 1)]);
         let mut best = entry(first);
         let start = stack.len();
         while met != 0 {
@@ -285,10 +285,10 @@ pub(super) fn any<I: Isa, D: Decide>(
             if met == 0 {
                 break;
             }
-            link = node.links[met.trailing_zeros() as usize & 15];
+            link = node.links[met.trailing_zeros() as usize & (SLOTS - 1)];
             met &= met - 1;
             while met != 0 {
-                stack.push(node.links[met.trailing_zeros() as usize & 15]);
+                stack.push(node.links[met.trailing_zeros() as usize & (SLOTS - 1)]);
                 met &= met - 1;
             }
         }

@@ -6,7 +6,7 @@ use super::{ALL, Packet, RAYS, Row};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide},
-    layout::{Block, Link},
+    layout::{Block, Link, SLOTS},
     simd::{Isa, Room, Stack, bits},
     traverse::{any_of, is_any_met},
 };
@@ -33,7 +33,7 @@ pub(in crate::wide) fn any<I: Isa, D: Decide>(
             let node = &tree.nodes[link.bits() as usize];
             let (_, boxes) = packet.meet_together(node, within.max);
             for slot in bits(boxes) {
-                let slot = slot & 15;
+                let slot = slot & (SLOTS - 1);
                 let rays = packet.meet_box(node, slot, &limits) & active;
                 if rays != 0 {
                     tree.prefetch(node.links[slot]);
@@ -69,7 +69,8 @@ impl<I: Isa> Packet<I> {
         let mut found = 0;
         for &number in numbers {
             let sphere = self.meet_sphere(primitives, number, active);
-            let asked = bits(sphere.unknown).filter(|&ray| any_of(primitives, &[number], &rays[ray & 15], self.within));
+            let asked =
+                bits(sphere.unknown).filter(|&ray| any_of(primitives, &[number], &rays[ray & (RAYS - 1)], self.within));
             found |= asked.fold(sphere.met, |met, ray| met | 1 << ray);
             active &= !found;
             if active == 0 {
@@ -82,12 +83,12 @@ impl<I: Isa> Packet<I> {
     /// A bit for each active ray that meets any triangle of a block.
     #[inline(always)]
     fn any<D: Decide>(&self, blocks: &[Block], block: usize, rays: &[Ray; RAYS], mut active: u32) -> u32 {
-        let asked = |ray: usize| Asked { blocks, ray: &rays[ray & 15], within: &self.within };
+        let asked = |ray: usize| Asked { blocks, ray: &rays[ray & (RAYS - 1)], within: &self.within };
         let triangles = self.meet_block(&blocks[block]);
         let mut found = 0;
         if active.count_ones() <= triangles.count_ones() {
             for ray in bits(active) {
-                let is_met = self.aimed(ray & 15, asked(ray)).is_met::<D>(block);
+                let is_met = self.aimed(ray & (RAYS - 1), asked(ray)).is_met::<D>(block);
                 found |= u32::from(is_met) << ray;
             }
             return found;

@@ -6,7 +6,7 @@ use super::{ALL, Packet, RAYS, Row, components};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
-    layout::{Block, Link},
+    layout::{Block, Link, SLOTS},
     simd::{Isa, Lanes, Room, Stack, bits},
     traverse::{Pending, distance, nearest_with, pending, sink},
 };
@@ -33,11 +33,11 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
         if link.is_node() {
             let node = &tree.nodes[link.bits() as usize];
             let (enters, boxes) = packet.meet_together(node, hits.farthest);
-            let mut distances = [0.0; 16];
+            let mut distances = [0.0; SLOTS];
             enters.store(&mut distances);
             let start = stack.len();
             for slot in bits(boxes) {
-                let slot = slot & 15;
+                let slot = slot & (SLOTS - 1);
                 let rays = packet.meet_box(node, slot, &hits.high) & active;
                 if rays != 0 {
                     tree.prefetch(node.links[slot]);
@@ -115,7 +115,7 @@ impl<'a> Hits<'a> {
         let triangles = packet.meet_block(&self.blocks[block]);
         if active.count_ones() <= triangles.count_ones() {
             for ray in bits(active) {
-                let ray = ray & 15;
+                let ray = ray & (RAYS - 1);
                 let (aimed, nearest) = (packet.aimed(ray, self.asked(ray)), self.nearest(ray));
                 let nearest = aimed.nearest::<D>(block, &mut self.known[ray], nearest);
                 self.set(ray, nearest);
@@ -146,7 +146,7 @@ impl<'a> Hits<'a> {
         }
         let low = Row::of::<I>(&met.low);
         for ray in bits(close) {
-            let ray = ray & 15;
+            let ray = ray & (RAYS - 1);
             let (asked, nearest) = (self.asked(ray), self.nearest(ray));
             let nearest = nearest.or_possible::<D>(asked, &mut self.known[ray], place, low.0[ray]);
             self.set(ray, nearest);
@@ -158,14 +158,14 @@ impl<'a> Hits<'a> {
         for &number in numbers {
             let sphere = packet.meet_sphere(primitives, number, active);
             for ray in bits(sphere.met) {
-                let ray = ray & 15;
+                let ray = ray & (RAYS - 1);
                 let (asked, nearest) = (self.asked(ray), self.nearest(ray));
                 let hit = Hit { t: sphere.t[ray], u: 0.0, v: 0.0, primitive: number };
                 let nearest = nearest.or_hit::<D>(asked, &mut self.known[ray], hit);
                 self.set(ray, nearest);
             }
             for ray in bits(sphere.unknown) {
-                let ray = ray & 15;
+                let ray = ray & (RAYS - 1);
                 let (asked, nearest) = (self.asked(ray), self.nearest(ray));
                 let nearest = nearest_with::<D>(primitives, &[number], asked, &mut self.known[ray], nearest);
                 self.set(ray, nearest);
@@ -190,7 +190,7 @@ impl<'a> Hits<'a> {
         let is_triangle = |ray: usize| self.nearest(ray).place.is_triangle();
         if !(0..RAYS).any(is_triangle) {
             for (ray, hit) in found.iter_mut().enumerate() {
-                *hit = self.nearest(ray & 15).known(self.known[ray & 15]);
+                *hit = self.nearest(ray & (RAYS - 1)).known(self.known[ray & (RAYS - 1)]);
             }
             return;
         }
@@ -212,7 +212,7 @@ impl<'a> Hits<'a> {
         };
         let met = intersect_lanes(&lanes);
         for (ray, hit) in found.iter_mut().enumerate() {
-            let ray = ray & 15;
+            let ray = ray & (RAYS - 1);
             let nearest = self.nearest(ray);
             let is_met = nearest.place.is_triangle() && met.is_in_doubt[ray] == 0 && self.within.contains(met.t[ray]);
             *hit = if is_met {
