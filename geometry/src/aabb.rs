@@ -160,6 +160,23 @@ mod tests {
     }
 
     #[test]
+    fn boxes_overlap_where_they_share_a_point_and_along_every_axis() {
+        let from = |corner: Vec3| Aabb { min: corner, max: corner + Vec3::ONE };
+        assert!(UNIT.overlaps(from(Vec3::splat(0.5))) && UNIT.overlaps(from(Vec3::ONE)), "touching counts");
+        for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+            assert!(!UNIT.overlaps(from(1.5 * axis)) && !UNIT.overlaps(from(-1.5 * axis)), "apart along {axis}");
+        }
+    }
+
+    #[test]
+    fn the_center_is_the_middle_and_the_extent_the_edges_lengths() {
+        let bounds = Aabb { min: Vec3::new(1.0, -3.0, 2.0), max: Vec3::new(2.0, 5.0, 2.0) };
+        assert_eq!(bounds.center(), Vec3::new(1.5, 1.0, 2.0));
+        assert_eq!(bounds.extent(), Vec3::new(1.0, 8.0, 0.0));
+        assert_eq!(Aabb { min: Vec3::ZERO, max: Vec3::MAX }.center(), 0.5 * Vec3::MAX, "no sum that overflows");
+    }
+
+    #[test]
     fn a_ray_through_the_middle_meets_the_box_and_one_beside_it_does_not() {
         assert!(meets(UNIT, [-1.0, 0.5, 0.5], [1.0, 0.0, 0.0]));
         assert!(!meets(UNIT, [-1.0, 1.5, 0.5], [1.0, 0.0, 0.0]));
@@ -176,7 +193,7 @@ mod tests {
 
     #[test]
     fn half_the_surface_is_one_face_of_each_kind() {
-        assert_eq!(Aabb { min: Vec3::X, max: Vec3::new(2.0, 2.0, 3.0) }.half_surface(), 2.0 + 6.0 + 3.0);
+        assert_eq!(Aabb { min: Vec3::X, max: Vec3::new(3.0, 3.0, 5.0) }.half_surface(), 6.0 + 15.0 + 10.0);
     }
 
     #[test]
@@ -186,6 +203,14 @@ mod tests {
             let ray = Ray::new(Vec3::ZERO, Vec3::new(down(0), down(1), down(2)));
             assert_eq!(BoxProbe::new(&ray, 1.0).octant(), octant);
         }
+    }
+
+    #[test]
+    fn a_box_is_widened_by_the_slack_that_the_probe_tells() {
+        let probe = BoxProbe::new(&Ray::new(Vec3::new(-4.0, 0.5, 0.5), Vec3::X), 1.0);
+        assert!(probe.slack().x > 0.0 && probe.slack().x < 1e-5, "{}", probe.slack());
+        let crossed = Interval { min: 4.0 - probe.slack().x, max: 5.0 + probe.slack().x };
+        assert_eq!(probe.clip(UNIT, Interval::FORWARD), Some(crossed));
     }
 
     #[test]

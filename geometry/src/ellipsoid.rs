@@ -107,6 +107,26 @@ mod tests {
     }
 
     #[test]
+    fn the_box_is_no_more_than_a_rounding_too_wide() {
+        let map = Transform::scale(DVec3::new(3.0, 2.0, 1.0)).then(&Transform::translation(DVec3::new(0.0, 4.0, -8.0)));
+        let Aabb { min, max } = Ellipsoid::new(map).unwrap().bounds();
+        let (low, high) = (Vec3::new(-3.0, 2.0, -9.0), Vec3::new(3.0, 6.0, -7.0));
+        assert!(min.cmple(low).all() && high.cmple(max).all());
+        assert!((low - min).max(max - high).max_element() < 1e-6, "{min} to {max}");
+    }
+
+    #[test]
+    fn a_points_distance_is_the_equations_value_over_its_derivative() {
+        for scale in [1.0, 4.0] {
+            let ellipsoid = Ellipsoid::new(Transform::scale(DVec3::splat(scale))).unwrap();
+            let distance = |x: f64| ellipsoid.distance(Vec3::new((scale * x) as f32, 0.0, 0.0), DVec3::X) / scale;
+            // x^2 - 1 over 2x.
+            assert!((distance(1.001) - 0.001).abs() < 1e-6);
+            assert!((distance(0.5) - 0.25).abs() < 1e-6, "no more than x/2: the quotient is 0.75");
+        }
+    }
+
+    #[test]
     fn the_texture_turns_with_the_sphere() {
         // The north pole (v = 0) turned onto +x.
         let turned = Ellipsoid::new(Transform::rotation(DVec3::Y, 90.0)).unwrap();

@@ -46,3 +46,16 @@ impl Hit {
         self.t < other.t || (self.t == other.t && self.primitive < other.primitive)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearer_hit_comes_before_and_of_equally_near_ones_the_lower_number() {
+        let hit = |t, primitive| Intersection::at(t).on(primitive);
+        assert!(hit(1.0, 7).is_before(hit(2.0, 3)) && !hit(2.0, 3).is_before(hit(1.0, 7)));
+        assert!(hit(1.0, 3).is_before(hit(1.0, 7)) && !hit(1.0, 7).is_before(hit(1.0, 3)));
+        assert!(!hit(1.0, 3).is_before(hit(1.0, 3)), "not before itself");
+    }
+}

@@ -176,6 +176,14 @@ mod tests {
     }
 
     #[test]
+    fn a_slope_between_floor_and_wall_counts_as_a_wall() {
+        let slope = Plane::from_normal(Vec3::ZERO, Vec3::new(0.0, 1.0, 1.0)).unwrap();
+        let [u, v] = slope.gradients();
+        // v runs up the slope, towards +y.
+        assert!(v.y > 0.0 && v.z < 0.0 && u.x > 0.0, "{u} {v}");
+    }
+
+    #[test]
     fn three_points_span_one_copy_of_the_texture() {
         let skew = Plane::from_points(Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0), Vec3::new(1.0, 4.0, 0.0)).unwrap();
         // (1, 0, 0) is half of the first edge; (0.5, 2, 0) half of the second.

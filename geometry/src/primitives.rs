@@ -343,6 +343,54 @@ mod tests {
     }
 
     #[test]
+    fn each_kind_of_shape_is_counted_and_handed_out_as_what_it_is() {
+        let mut primitives = two_meshes_and_a_sphere();
+        assert!(!primitives.is_empty() && Primitives::default().is_empty());
+        primitives.add_ellipsoid(Ellipsoid::new(crate::Transform::IDENTITY).unwrap());
+        primitives.add_ellipsoid(Ellipsoid::new(crate::Transform::IDENTITY).unwrap());
+        let count = primitives.count();
+        assert_eq!(count, PrimitiveCount { spheres: 1, ellipsoids: 2, triangles: 2 });
+        assert_eq!(count.total(), 5);
+        let triangles = [0, 1, 2, 3, 4].map(|number| primitives.triangle(number).map(|triangle| triangle.corners[0]));
+        assert_eq!(triangles, [Some(Vec3::ZERO), None, Some(-Vec3::Z), None, None]);
+        let spheres = |primitives: &Primitives| [0, 1, 2, 3, 4].map(|number| primitives.sphere(number).is_some());
+        assert_eq!(spheres(&primitives), [false, true, false, false, false]);
+        // One that is met by another kernel is not for an accelerator's own.
+        let swapped = primitives.with_kernels(Kernels { sphere: Some(|_, _, _| None), ..Kernels::default() });
+        assert!(swapped.kernels().sphere.is_some());
+        assert_eq!(spheres(&swapped), [false; 5]);
+    }
+
+    #[test]
+    fn memory_is_counted_by_shapes_and_by_what_their_corners_say() {
+        let numbers = |count: usize| count * size_of::<Number>();
+        let mut primitives = Primitives::default();
+        assert_eq!(primitives.bytes(), 0);
+        primitives.add_sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
+        primitives.add_ellipsoid(Ellipsoid::new(crate::Transform::IDENTITY).unwrap());
+        let round = size_of::<Sphere>() + size_of::<Ellipsoid>();
+        assert_eq!(primitives.bytes(), numbers(2) + round);
+        let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE];
+        let triangles = vec![[0, 1, 2], [1, 2, 3]];
+        let triangles_and_mesh = 2 * size_of::<Triangle>() + size_of::<MeshCorners>();
+        primitives.add_mesh(Mesh { positions: positions.clone(), triangles: triangles.clone(), ..Mesh::default() });
+        assert_eq!(primitives.bytes(), numbers(4) + round + triangles_and_mesh);
+        let normals = Corners::PerPoint(vec![Vec3::Z; 4]);
+        let uvs = Corners::PerTriangle(vec![[Vec2::ZERO; 3]; 2]);
+        primitives.add_mesh(Mesh { positions, triangles, normals, uvs });
+        // Twelve bytes a point and an index of a triangle, eight for each of its corners' places in the texture.
+        assert_eq!(primitives.bytes(), numbers(6) + round + 2 * triangles_and_mesh + 4 * 12 + 2 * 12 + 2 * 24);
+    }
+
+    #[test]
+    #[should_panic(expected = "a value for every corner")]
+    fn values_that_are_missing_are_noticed_when_a_mesh_is_added() {
+        let normals = Corners::PerPoint(vec![Vec3::Z; 2]);
+        let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        Primitives::default().add_mesh(Mesh { positions, triangles: vec![[0, 1, 0]], normals, ..Mesh::default() });
+    }
+
+    #[test]
     fn a_subset_is_renumbered() {
         let rest = two_meshes_and_a_sphere().subset(|number| number != 0);
         assert_eq!(rest.len(), 2);

@@ -22,6 +22,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_rounding_unit_is_the_most_that_is_rounded_away_from_1() {
+        assert_eq!(1.0 + UNIT_ROUNDOFF, 1.0);
+        assert_eq!(1.0 + UNIT_ROUNDOFF.next_up(), 1.0 + f32::EPSILON);
+    }
+
+    #[test]
     fn rounding_outwards_keeps_the_exact_value_between() {
         let third = DVec3::splat(1.0 / 3.0);
         assert!(round_down(third).as_dvec3().cmplt(third).all());

@@ -216,6 +216,39 @@ mod tests {
     }
 
     #[test]
+    fn of_two_roots_in_an_interval_the_lesser_is_met() {
+        let beyond = Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::Z);
+        let behind = Interval { min: -10.0, max: 0.0 };
+        assert_eq!(UNIT.intersect(&beyond, behind), Some(Intersection::at(-4.0)));
+        assert_eq!(UNIT.intersect(&beyond, Interval { min: -3.0, ..behind }), Some(Intersection::at(-2.0)));
+    }
+
+    #[test]
+    fn a_power_keeps_what_its_squares_round_off() {
+        // (1e6 - 1e-20)^2 - 1e12: the difference itself is rounded.
+        let power = power(Vec3::new(1e6, 0.0, 0.0), Vec3::new(1e-20, 0.0, 0.0), 1e6);
+        assert!((power + 2e-14).abs() < 1e-20, "{power}");
+        assert!(is_exact(1e-5, 1.0) && !is_exact(1e-7, 1.0));
+    }
+
+    #[test]
+    fn a_sphere_is_left_behind_only_if_rounding_cannot_be_the_reason() {
+        let unit = 1e12_f64;
+        assert!(is_left_behind(1.0, unit * (1.0 + 1e-14), unit));
+        assert!(!is_left_behind(1.0, unit.next_up(), unit));
+        assert!(!is_left_behind(-1.0, 4.0, 1.0) && !is_left_behind(1.0, 1.0, 4.0));
+    }
+
+    #[test]
+    fn the_box_reaches_a_radius_to_each_side_and_the_points_error_grows_with_both() {
+        let sphere = Sphere { center: Vec3::new(1.0, -2.0, 64.0), radius: 8.0 };
+        assert_eq!(sphere.bounds(), Aabb { min: Vec3::new(-7.0, -10.0, 56.0), max: Vec3::new(9.0, 6.0, 72.0) });
+        let ray = Ray::new(Vec3::new(1.0, -2.0, 0.0), Vec3::Z);
+        let surface = sphere.surface(&ray, &Intersection::at(56.0));
+        assert_eq!(surface, Surface::rounded(Vec3::new(1.0, -2.0, 56.0), 64.0 + 8.0, -Vec3::Z));
+    }
+
+    #[test]
     fn u_runs_from_x_over_y_and_v_from_the_north_pole_down() {
         assert_eq!(sphere_uv(DVec3::X), Vec2::new(0.0, 0.5));
         assert_eq!(sphere_uv(DVec3::Y), Vec2::new(0.25, 0.5));

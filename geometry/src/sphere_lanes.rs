@@ -39,8 +39,8 @@ pub fn meet_sphere_lanes<const N: usize>(
         let power = distance - squared;
         let far = middle + (depth / a).sqrt().copysign(middle);
         let other = if far == 0.0 { 0.0 } else { power / a / far };
-        let (first, second) = if far < other { (far, other) } else { (other, far) };
-        let (first, second) = (first as f32, second as f32);
+        // If both are in front, the lesser in magnitude is the first; else the other one is behind.
+        let (first, second) = (other as f32, far as f32);
         let is_within = |t: f32| (t > within.min) & (t < within.max);
         let t = if is_within(first) { first } else { second };
         // Comparisons that a NaN fails.

@@ -70,3 +70,28 @@ impl Surface {
         self.position + outward * height
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_a_rounding_of_the_point_and_the_steps_before_it() {
+        let surface = Surface::rounded(Vec3::new(0.0, -2.0, 4.0), 1024.0, Vec3::Z);
+        let steps = f32::exp2(10.0 - 48.0);
+        let ulp = f32::EPSILON;
+        assert_eq!(surface.error, Vec3::new(steps, 2.0 * ulp + steps, 4.0 * ulp + steps));
+        // A distance along the normal counts twice.
+        assert_eq!(surface.off_by(0.25).error, surface.error + 0.5 * Vec3::Z);
+    }
+
+    #[test]
+    fn a_ray_starts_where_the_whole_error_is_behind_it_and_no_farther() {
+        let surface = Surface { error: Vec3::ONE, ..Surface::rounded(Vec3::ZERO, 0.0, Vec3::new(0.6, 0.0, 0.8)) };
+        for (direction, side) in [(DVec3::Z, 1.0), (-DVec3::Z, -1.0)] {
+            let origin = surface.origin_towards(direction);
+            assert!(origin.distance(side * 1.4 * surface.geometric_normal) < 2e-6, "{origin}");
+            assert!(origin.length() > 1.4, "a few last bits more");
+        }
+    }
+}

@@ -121,6 +121,19 @@ mod tests {
     }
 
     #[test]
+    fn a_third_of_a_turn_about_the_diagonal_takes_each_axis_to_the_next() {
+        let turn = Transform::rotation(DVec3::splat(5.0), 120.0);
+        for (from, to) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
+            assert!(turn.direction(from).distance(to) < 1e-15, "{from} to {}", turn.direction(from));
+        }
+        // Half a turn about an axis that is no diagonal: what is along it stays.
+        let axis = DVec3::new(1.0, -2.0, 3.0);
+        let half = Transform::rotation(axis, 180.0);
+        assert!(half.direction(axis).distance(axis) < 1e-15 * 8.0);
+        assert!(half.direction(DVec3::new(2.0, 1.0, 0.0)).distance(DVec3::new(-2.0, -1.0, 0.0)) < 1e-15 * 8.0);
+    }
+
+    #[test]
     fn only_the_same_factor_along_all_axes_is_a_uniform_scale() {
         assert_eq!(Transform::scale(DVec3::splat(2.5)).uniform_scale(), Some(2.5));
         for other in [DVec3::splat(-1.0), DVec3::ZERO, DVec3::new(1.0, 1.0, 2.0)] {

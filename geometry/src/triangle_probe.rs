@@ -261,6 +261,18 @@ fn turned(v: Vec3, [x, y, z]: [usize; 3]) -> Vec3 {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_hit_is_in_doubt_at_each_edge_and_seen_edge_on() {
+        let corners = [DVec3::new(-1.0, -1.0, 2.0), DVec3::new(1.0, -1.0, 2.0), DVec3::new(0.0, 1.0, 2.0)];
+        let is_in_doubt = |weights, direction| plane_of(corners, corners, weights, direction).is_in_doubt;
+        assert!(!is_in_doubt([1.0, 1.0, 1.0], DVec3::Z));
+        for weights in [[0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
+            assert!(is_in_doubt(weights, DVec3::Z), "{weights:?}");
+        }
+        let edge_on = [DVec3::Z, DVec3::new(0.0, 1.0, 1.0), DVec3::new(1e-7, 0.0, 2.0)];
+        assert!(plane_of(edge_on, edge_on, [1.0, 1.0, 1.0], DVec3::Z).is_in_doubt);
+    }
+
     /// Corners on one line through the ray as `f64` sees it, beside the ray: the weights are rounding noise.
     #[test]
     fn a_hit_in_doubt_lies_in_the_triangles_box() {

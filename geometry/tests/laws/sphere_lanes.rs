@@ -34,6 +34,24 @@ fn rays_that_start_off_the_surface_are_not_left_to_the_sphere_itself() {
     assert!(found.iter().all(Option::is_some) && found[0] != Some(None) && found[2] == Some(None), "{found:?}");
 }
 
+/// The power of a point 2^-24 off the surface has too few digits in plain `f64`, on the way in.
+#[test]
+fn rays_that_start_just_off_the_surface_are_left_to_the_sphere_itself() {
+    let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+    let ray = Ray::new(Vec3::new(0.0, 0.0, 1.0_f32.next_up()), -Vec3::Z);
+    let found = together(&sphere, &[ray; 4], Interval::FORWARD);
+    assert_eq!(found, [None; 4]);
+}
+
+#[test]
+fn the_ends_of_an_interval_lie_outside() {
+    let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+    let rays = [Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z); 4];
+    for (min, max, met) in [(0.0, 2.0, None), (2.0, 4.0, None), (2.0, 5.0, Some(4.0)), (0.0, 3.0, Some(2.0))] {
+        assert_eq!(together(&sphere, &rays, Interval { min, max }), [Some(met); 4], "{min} to {max}");
+    }
+}
+
 proptest! {
     #![proptest_config(times(16))]
 
