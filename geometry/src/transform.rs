@@ -121,6 +121,15 @@ mod tests {
     }
 
     #[test]
+    fn sines_and_cosines_are_right_in_every_quarter() {
+        for degrees in (-900..=900).map(|tenth| f64::from(tenth) * 0.9) {
+            let (sin, cos) = sin_cos_degrees(degrees);
+            let (true_sin, true_cos) = libm::sincos(degrees.to_radians());
+            assert!((sin - true_sin).abs() < 1e-14 && (cos - true_cos).abs() < 1e-14, "{degrees} degrees");
+        }
+    }
+
+    #[test]
     fn a_third_of_a_turn_about_the_diagonal_takes_each_axis_to_the_next() {
         let turn = Transform::rotation(DVec3::splat(5.0), 120.0);
         for (from, to) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {

@@ -96,6 +96,7 @@ mod tests {
         let hit = RIGHT.intersect(&ray, Interval::FORWARD).unwrap();
         assert_eq!(hit.t, 1.0);
         assert_eq!(RIGHT.surface(&ray, &hit).geometric_normal, Vec3::Z);
+        assert_eq!(RIGHT.uv(&ray, &hit), Vec2::splat(0.2));
     }
 
     #[test]

@@ -269,8 +269,41 @@ mod tests {
         for weights in [[0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
             assert!(is_in_doubt(weights, DVec3::Z), "{weights:?}");
         }
-        let edge_on = [DVec3::Z, DVec3::new(0.0, 1.0, 1.0), DVec3::new(1e-7, 0.0, 2.0)];
-        assert!(plane_of(edge_on, edge_on, [1.0, 1.0, 1.0], DVec3::Z).is_in_doubt);
+    }
+
+    #[test]
+    fn edge_on_is_a_matter_of_angle_not_of_size() {
+        for (width, depth, length) in [(1.0, 1.0, 1.0), (1000.0, 0.25, 1.0), (1.0, 1.0, 64.0), (1e-3, 1e-2, 0.1)] {
+            for (angle, is_in_doubt) in [(0.5 * EDGE_ON, true), (2.0 * EDGE_ON, false)] {
+                let corners = [DVec3::ZERO, DVec3::new(0.0, width, 0.0), DVec3::new(depth * angle, 0.0, depth)];
+                let plane = plane_of(corners, corners, [1.0, 1.0, 1.0], length * DVec3::Z);
+                assert_eq!(plane.is_in_doubt, is_in_doubt, "{width} x {depth} at {angle}, ray of {length}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_axes_are_turned_until_the_largest_is_last() {
+        for (direction, axes) in [(Vec3::X, [1, 2, 0]), (Vec3::Y, [2, 0, 1]), (Vec3::Z, [0, 1, 2])] {
+            let probe = TriangleProbe::new(&Ray::new(Vec3::ZERO, direction));
+            assert_eq!(probe.axes(), axes);
+            assert_eq!(probe.turned(Vec3::new(0.0, 1.0, 2.0)).to_array(), axes.map(|axis| axis as f32));
+        }
+    }
+
+    #[test]
+    fn what_is_known_to_be_met_is_located_in_the_triangle() {
+        let corners = [Vec3::new(1.0, 1.0, 4.0), Vec3::new(3.0, 1.0, 4.0), Vec3::new(1.0, 5.0, 8.0)];
+        let located = |x, y| TriangleProbe::new(&Ray::new(Vec3::new(x, y, 0.0), 2.0 * Vec3::Z)).locate(corners);
+        // z = 4 + (y - 1).
+        assert_eq!(located(1.5, 2.0), Some(Intersection { t: 2.5, u: 0.25, v: 0.25 }));
+        // Beside it, the weights are cut, and `t` stays that of the plane.
+        assert_eq!(located(0.5, 2.0), Some(Intersection { t: 2.5, u: 0.0, v: 0.25 }));
+        assert_eq!(located(1.5, 0.0), Some(Intersection { t: 1.5, u: 0.25, v: 0.0 }));
+        assert_eq!(located(4.0, 1.5), Some(Intersection { t: 2.25, u: 1.0, v: 0.0 }));
+        // On the line of an edge, and beside the box.
+        assert_eq!(located(4.0, 1.0), None);
+        assert_eq!(located(2.0, 4.0), Some(Intersection { t: 3.5, u: 0.5, v: 0.5 }));
     }
 
     /// Corners on one line through the ray as `f64` sees it, beside the ray: the weights are rounding noise.
@@ -287,5 +320,19 @@ mod tests {
             let cut = probe.cut_to_box(seen, t).unwrap();
             assert!((low..=high).contains(&cut), "{t} cut to {cut}");
         }
+    }
+
+    #[test]
+    fn the_box_that_a_hit_in_doubt_is_cut_to_is_grown_by_a_few_roundings() {
+        let corners = [DVec3::new(-1.0, 0.0, 1.0), DVec3::new(1.0, 0.0, 1.0), DVec3::new(0.0, 0.0, 2.0)];
+        let probe = TriangleProbe::new(&Ray::new(Vec3::new(0.0, 0.0, -1e6), Vec3::Z));
+        let seen = corners.map(|corner| corner - probe.origin);
+        // 2^-44 of the coordinate and the distance, 1e6 each.
+        let past = probe.cut_to_box(seen, 2e6).unwrap() - (1e6 + 2.0);
+        assert!((1e-7..2e-7).contains(&past), "{past}");
+        // In its plane y = 0 and beside it, or through it: seen edge-on, so cut.
+        assert!(probe.t_of(corners, seen, [0.0, 1.0, 1.0]).is_some_and(|t| (1e6..2e6).contains(&t)));
+        let beside = TriangleProbe::new(&Ray::new(Vec3::new(5.0, 0.0, 0.0), Vec3::Z));
+        assert_eq!(beside.t_of(corners, corners.map(|corner| corner - beside.origin), [0.0, 1.0, 1.0]), None);
     }
 }
