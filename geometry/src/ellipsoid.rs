@@ -107,11 +107,11 @@ mod tests {
     }
 
     #[test]
-    fn the_box_is_no_more_than_a_rounding_too_wide() {
+    fn the_box_is_a_rounding_too_wide_and_no_more() {
         let map = Transform::scale(DVec3::new(3.0, 2.0, 1.0)).then(&Transform::translation(DVec3::new(0.0, 4.0, -8.0)));
         let Aabb { min, max } = Ellipsoid::new(map).unwrap().bounds();
         let (low, high) = (Vec3::new(-3.0, 2.0, -9.0), Vec3::new(3.0, 6.0, -7.0));
-        assert!(min.cmple(low).all() && high.cmple(max).all());
+        assert!(min.cmplt(low).all() && high.cmplt(max).all());
         assert!((low - min).max(max - high).max_element() < 1e-6, "{min} to {max}");
     }
 

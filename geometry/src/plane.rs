@@ -177,10 +177,10 @@ mod tests {
 
     #[test]
     fn a_slope_between_floor_and_wall_counts_as_a_wall() {
-        let slope = Plane::from_normal(Vec3::ZERO, Vec3::new(0.0, 1.0, 1.0)).unwrap();
+        let slope = Plane::from_normal(Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)).unwrap();
         let [u, v] = slope.gradients();
         // v runs up the slope, towards +y.
-        assert!(v.y > 0.0 && v.z < 0.0 && u.x > 0.0, "{u} {v}");
+        assert!(v.y > 0.0 && v.x < 0.0 && u.z < 0.0, "{u} {v}");
     }
 
     #[test]

@@ -348,9 +348,8 @@ mod tests {
         assert!(!primitives.is_empty() && Primitives::default().is_empty());
         primitives.add_ellipsoid(Ellipsoid::new(crate::Transform::IDENTITY).unwrap());
         primitives.add_ellipsoid(Ellipsoid::new(crate::Transform::IDENTITY).unwrap());
-        let count = primitives.count();
-        assert_eq!(count, PrimitiveCount { spheres: 1, ellipsoids: 2, triangles: 2 });
-        assert_eq!(count.total(), 5);
+        assert_eq!(primitives.count(), PrimitiveCount { spheres: 1, ellipsoids: 2, triangles: 2 });
+        assert_eq!(PrimitiveCount { spheres: 1, ellipsoids: 20, triangles: 300 }.total(), 321);
         let triangles = [0, 1, 2, 3, 4].map(|number| primitives.triangle(number).map(|triangle| triangle.corners[0]));
         assert_eq!(triangles, [Some(Vec3::ZERO), None, Some(-Vec3::Z), None, None]);
         let spheres = |primitives: &Primitives| [0, 1, 2, 3, 4].map(|number| primitives.sphere(number).is_some());

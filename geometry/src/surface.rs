@@ -93,5 +93,7 @@ mod tests {
             assert!(origin.distance(side * 1.4 * surface.geometric_normal) < 2e-6, "{origin}");
             assert!(origin.length() > 1.4, "a few last bits more");
         }
+        // A point known just is left all the same.
+        assert!(Surface { error: Vec3::ZERO, ..surface }.origin_towards(DVec3::Z).z > 0.0);
     }
 }
