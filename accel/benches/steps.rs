@@ -98,9 +98,9 @@ fn three_digits(number: f64) -> String {
 }
 
 /// Rays that one step traces before the next has its turn.
-const TURN: usize = 1 << 10;
+const TURN: usize = 1 << 13;
 /// So many turns, spread over the rays.
-const TURNS: usize = 40;
+const TURNS: usize = 8;
 const ROUNDS: usize = 5;
 /// Rays enough to time asking every primitive.
 const FEW: usize = 4;

@@ -83,3 +83,33 @@ impl LightFormula {
         Some((Incident { direction, cosine, color }, segment))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear_falloff;
+
+    const SURFACE: Surface =
+        Surface { position: Vec3::ZERO, error: Vec3::ZERO, geometric_normal: Vec3::Z, shading_normal: Vec3::Z };
+
+    /// What arrives at the origin from a place, where the normal to shade with is not the surface's own.
+    fn arriving(formula: LightFormula, position: Vec3, normal: Vec3) -> Option<(Incident, Ray)> {
+        let light = PointLight { position, color: Color::WHITE, power: 100.0, falloff: linear_falloff };
+        let facing = Facing { position: Vec3::ZERO, normal, outward: Vec3::Z };
+        formula.arriving(&facing, &SURFACE, Surface::origin_towards, &light)
+    }
+
+    #[test]
+    fn a_light_must_be_in_front_of_both_normals() {
+        let slanted = Vec3::new(0.8, 0.0, 0.6);
+        for formula in [LightFormula::Report, LightFormula::Sunflow] {
+            let (incident, segment) = arriving(formula, Vec3::new(0.0, 0.0, 50.0), slanted).unwrap();
+            assert_eq!((incident.direction, incident.cosine, incident.color), (Vec3::Z, 0.6, Color::grey(0.5)));
+            assert!((segment.origin + segment.direction).distance(Vec3::new(0.0, 0.0, 50.0)) < 1e-5);
+            // Behind the slanted one alone, behind the surface alone, in the plane of either.
+            for behind in [Vec3::new(-3.0, 0.0, 1.0), Vec3::new(3.0, 0.0, -1.0), Vec3::X, Vec3::new(-0.6, 0.0, 0.8)] {
+                assert_eq!(arriving(formula, 2.0 * behind, slanted), None, "{formula:?} {behind}");
+            }
+        }
+    }
+}

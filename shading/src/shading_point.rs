@@ -104,3 +104,54 @@ impl ShadingPoint<'_> {
         self.ray_along(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::PointLight;
+
+    /// Nothing but the dark.
+    struct Dark;
+
+    impl World for Dark {
+        fn light(&self, _: u32, _: u32) -> Option<PointLight> {
+            None
+        }
+
+        fn ambient(&self) -> Option<f32> {
+            None
+        }
+
+        fn blocked(&self, _: &Ray) -> bool {
+            false
+        }
+
+        fn trace(&self, _: &Ray, _: Bounces) -> Color {
+            Color::BLACK
+        }
+    }
+
+    #[test]
+    fn a_ray_towards_a_target_starts_on_its_side_and_is_there_at_1() {
+        let surface = Surface {
+            position: Vec3::ONE,
+            error: Vec3::splat(0.125),
+            geometric_normal: Vec3::Z,
+            shading_normal: Vec3::Z,
+        };
+        let at = ShadingPoint {
+            world: &Dark,
+            direction: -Vec3::Z,
+            distance: 1.0,
+            surface: &surface,
+            ray_origin: Surface::origin_towards,
+            uv: &|| Vec2::ZERO,
+            bounces: Bounces::of_camera_ray(0, 0),
+        };
+        for (target, side) in [(Vec3::new(4.0, 3.0, 9.0), 1.0), (Vec3::new(0.5, 0.5, 0.5), -1.0)] {
+            let ray = at.ray_towards(target);
+            assert!((ray.origin - (Vec3::ONE + side * 0.125 * Vec3::Z)).length() < 1e-6, "{}", ray.origin);
+            assert!((ray.origin + ray.direction).distance(target) < 1e-6);
+        }
+    }
+}

@@ -92,5 +92,6 @@ fn matt_surfaces_say_by_which_formula_they_ask() {
     let (diffuse, specular, exponent) = (Arc::new(Color::WHITE), Color::BLACK, 1.0);
     let report = ReportPhong { diffuse: diffuse.clone(), specular, exponent };
     assert_eq!(report.asks_lights(), Some(LightFormula::Report));
+    assert_eq!(shading::Constant { color: Color::WHITE }.asks_lights(), Some(LightFormula::Report));
     assert_eq!(Phong { diffuse, specular, exponent }.asks_lights(), Some(LightFormula::Sunflow));
 }
