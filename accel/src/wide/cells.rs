@@ -19,8 +19,8 @@ pub(super) struct Cell {
     pub(super) asked: u32,
     /// Tight around them; not the cube.
     pub(super) bounds: Aabb,
-    /// What its content costs a ray, shown in 1 to [`SLOTS`] slots of a wide node.
-    pub(super) costs: [f32; SLOTS],
+    /// What its content costs a ray, shown in one slot of a wide node.
+    pub(super) cost: f32,
     /// How many slots of a node it can fill: a leaf one.
     pub(super) fills: u8,
     /// `None` in a leaf.
@@ -34,6 +34,8 @@ pub(super) struct Divided {
     pub(super) occupied: u8,
     /// How to cut it up cheapest.
     pub(super) cuts: Cuts,
+    /// What its content costs a ray, shown in 1 to [`SLOTS`] slots of a wide node.
+    pub(super) costs: [f32; SLOTS],
 }
 
 impl Divided {
@@ -77,13 +79,16 @@ pub(super) fn grow(row: &[Coded], first: u32, content: &impl Content) -> Cell {
         use rayon::prelude::*;
         taken.collect::<Vec<_>>().into_par_iter().map(grow).collect()
     } else {
-        taken.map(grow).collect()
+        // Of just the size: most of what a build takes at its peak is cells.
+        let mut eighths = Vec::with_capacity(occupied.count_ones() as usize);
+        eighths.extend(taken.map(grow));
+        eighths
     };
     let bounds = eighths.iter().fold(Aabb::EMPTY, |all, cell| all.union(cell.bounds));
     let asked = eighths.iter().map(|cell| cell.asked).sum();
-    let mut divided = Divided { eighths, occupied, cuts: Cuts::default() };
-    let (costs, fills) = divided.find_cuts();
-    Cell { first, count: row.len() as u32, asked, bounds, costs, fills, divided: Some(Box::new(divided)) }
+    let mut divided = Box::new(Divided { eighths, occupied, cuts: Cuts::default(), costs: [0.0; SLOTS] });
+    let fills = divided.find_cuts();
+    Cell { first, count: row.len() as u32, asked, bounds, cost: divided.costs[0], fills, divided: Some(divided) }
 }
 
 fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
@@ -95,7 +100,7 @@ fn leaf(row: &[Coded], first: u32, content: &impl Content) -> Cell {
     }
     let count = row.len() as u32;
     let cost = leaf_cost(bounds, count, asked);
-    Cell { first, count, asked, bounds, costs: [cost; SLOTS], fills: 1, divided: None }
+    Cell { first, count, asked, bounds, cost, fills: 1, divided: None }
 }
 
 /// So many are counted sooner than searched.

@@ -19,15 +19,22 @@ pub(super) fn cheapest(primitives: &Primitives, inside: &[u32], grid: Grid, step
     if step < Step::ThinInPieces || primitives.kernels().triangle.is_some() {
         return whole;
     }
-    let worthwhile = WORTH_CUTTING * whole.cost();
-    if cost_of_thin_triangles(primitives, inside) < worthwhile {
+    let cost = whole.root.cost;
+    if cost_of_thin_triangles(primitives, inside) < WORTH_CUTTING * cost {
         return whole;
     }
+    // Not both at a time: it is seldom that this one is wanted after all, and then it is grown again.
+    drop(whole);
+    in_pieces(primitives, inside, grid)
+        .filter(|cut| cut.root.cost < (1.0 - WORTH_CUTTING) * cost)
+        .unwrap_or_else(|| Grown::of(inside, &Whole(primitives), grid))
+}
+
+/// The octree with thin triangles in pieces; `None` if they are too many to be numbered.
+fn in_pieces(primitives: &Primitives, inside: &[u32], grid: Grid) -> Option<Grown> {
     let pieces = pieces(primitives, inside, grid);
-    let Ok(count) = u32::try_from(pieces.len()) else { return whole };
-    let references: Vec<u32> = (0..count).collect();
-    let cut = Grown::of(&references, &InPieces(primitives, pieces), grid);
-    if cut.cost() < whole.cost() - worthwhile { cut } else { whole }
+    let references: Vec<u32> = (0..u32::try_from(pieces.len()).ok()?).collect();
+    Some(Grown::of(&references, &InPieces(primitives, pieces), grid))
 }
 
 /// An octree, not yet laid out.
@@ -45,10 +52,6 @@ impl Grown {
             row: coded.par_iter().with_min_len(4096).map(|coded| content.primitive(coded.reference)).collect(),
             root,
         }
-    }
-
-    fn cost(&self) -> f32 {
-        self.root.costs[0]
     }
 }
 

@@ -201,14 +201,14 @@ impl Shape {
 
     fn of(cell: &Cell) -> Self {
         let mut costs = [f32::INFINITY; SLOTS + 1];
-        costs[1..].copy_from_slice(&cell.costs);
+        costs[1..].copy_from_slice(&cell.divided.as_ref().map_or([cell.cost; SLOTS], |divided| divided.costs));
         Self { bounds: cell.bounds, count: cell.count, asked: cell.asked, costs, fills: usize::from(cell.fills) }
     }
 }
 
 impl Divided {
-    /// Finds the cheapest cuts of a cell's unions, from those of its eighths; returns the costs of the whole, and how many slots it fills.
-    pub(super) fn find_cuts(&mut self) -> ([f32; SLOTS], u8) {
+    /// Finds the cheapest cuts of a cell's unions, from those of its eighths, and what the whole costs; returns how many slots it fills.
+    pub(super) fn find_cuts(&mut self) -> u8 {
         let mut shapes = Shapes { all: [Shape::EMPTY; UNIONS], of: std::array::from_fn(|union| union as u8) };
         for place in 0..8 {
             if let Some(cell) = self.eighth(place) {
@@ -219,7 +219,8 @@ impl Divided {
             self.cuts.ways[index] = shapes.find_cheapest(union);
         }
         let whole = shapes.of(WHOLE);
-        (std::array::from_fn(|slots| whole.costs[slots + 1]), whole.fills as u8)
+        self.costs.copy_from_slice(&whole.costs[1..]);
+        whole.fills as u8
     }
 }
 
