@@ -131,6 +131,11 @@ mod tests {
     }
 
     #[test]
+    fn a_texel_takes_three_bytes() {
+        assert_eq!(four().bytes(), 12);
+    }
+
+    #[test]
     fn texels_must_fill_the_picture() {
         assert_eq!(ImageTexture::new(2, 2, vec![[0; 3]; 3]), None);
         assert_eq!(ImageTexture::new(0, 0, Vec::new()), None);

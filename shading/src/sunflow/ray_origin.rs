@@ -62,6 +62,10 @@ mod tests {
         assert_eq!(ray_origin(&at(far, Vec3::Y), DVec3::Y).y, 8_388_633.0);
         assert_eq!(ray_origin(&at(far, Vec3::X), DVec3::X).x, 1.001);
         assert_eq!(ray_origin(&at(far, Vec3::Z), DVec3::Z).z, 1.001);
+        for (far, normal) in [(Vec3::X, Vec3::X), (Vec3::Z, Vec3::Z)] {
+            let far = Vec3::ONE + 8_388_607.0 * far;
+            assert_eq!(ray_origin(&at(far, normal), normal.as_dvec3()), far + 25.0 * normal);
+        }
         // Of axes that are equally near, the later one.
         let across = Vec3::new(8_388_608.0, 1.0, 1.0);
         assert_eq!(ray_origin(&at(across, Vec3::new(1.0, 1.0, 0.0)), DVec3::X).y, 1.001);

@@ -1,11 +1,12 @@
 //! Sunflow's shaders on a little stage, where the answer is known by hand.
 
+use std::f32::consts::PI;
 use std::sync::Arc;
 
 use geometry::Surface;
 use glam::{Vec2, Vec3};
 use shading::conformance::{Lamp, Stage};
-use shading::sunflow::{Glass, Phong};
+use shading::sunflow::{Constant, Glass, LongNormal, Mirror, Phong, Shiny};
 use shading::{Absorption, Bounces, Color, LightFormula, Phong as ReportPhong, Shader};
 
 /// A floor seen along a unit direction; from below it is the inside.
@@ -85,6 +86,80 @@ fn a_highlight_of_sunflows_has_its_factor() {
     let expected = arriving * (0.5 * 8.0 / std::f32::consts::TAU + 0.25 / std::f32::consts::PI);
     let shown = stage.shown(&shader).color.to_array()[0];
     assert!((shown - expected).abs() < 1e-6 * expected, "{shown} instead of {expected}");
+}
+
+/// What a light at 60 degrees from the normal brings to the floor, and what a shader makes of that.
+fn lit_from_the_side(shader: &dyn Shader) -> [f32; 2] {
+    let lamp = Lamp { position: Vec3::new(0.75_f32.sqrt(), 0.0, 0.5), color: Color::WHITE, power: 1.0 };
+    let stage = Stage { lamps: [Some(lamp), None], ..floor(-Vec3::Z) };
+    [lamp.arriving(1.0), stage.shown_under(bright_above, shader).color].map(|color| color.to_array()[0])
+}
+
+#[test]
+fn light_from_the_side_counts_by_its_cosine_and_its_way_from_the_mirrored_one() {
+    let shader = Phong { diffuse: Arc::new(Color::grey(0.25)), specular: Color::grey(0.5), exponent: 6.0 };
+    let [arriving, shown] = lit_from_the_side(&shader);
+    // The cosine is 1/2 for both.
+    let expected = 0.5 * arriving * (0.25 / PI + 0.5 * 8.0 / (2.0 * PI) * 0.5_f32.powi(6));
+    assert!((shown - expected).abs() < 1e-6, "{shown} instead of {expected}");
+}
+
+#[test]
+fn a_shiny_surface_is_matt_under_a_mirror_of_its_colour() {
+    let shader = Shiny { diffuse: Arc::new(Color::grey(0.25)), reflection: 0.5 };
+    let [arriving, shown] = lit_from_the_side(&shader);
+    let expected = 0.25 * 0.5 * arriving / PI + 0.125;
+    assert!((shown - expected).abs() < 1e-6, "{shown} instead of {expected}");
+    // Unlit, and seen at 60 degrees: 0.125 + 0.875 (1 - 1/2)^5
+    assert_shows(&floor(Vec3::new(0.75_f32.sqrt(), 0.0, -0.5)), &shader, 0.125 + 0.875 / 32.0);
+    assert_eq!(shader.asks_lights(), Some(LightFormula::Sunflow));
+}
+
+#[test]
+fn a_mirror_of_sunflows_reflects_more_at_grazing_angles() {
+    let mirror = Mirror { reflection: Color::grey(0.25) };
+    assert_shows(&floor(-Vec3::Z), &mirror, 0.25);
+    assert_shows(&floor(Vec3::new(0.75_f32.sqrt(), 0.0, -0.5)), &mirror, 0.25 + 0.75 / 32.0);
+}
+
+#[test]
+fn a_constant_surface_of_sunflows_needs_no_light() {
+    assert_shows(&floor(-Vec3::Z), &Constant { color: Color::grey(0.3) }, 0.3);
+}
+
+#[test]
+fn rays_start_on_the_side_that_they_go_to() {
+    let stage = floor(Vec3::new(0.6, 0.0, -0.8));
+    let stage = Stage { surface: Surface { error: Vec3::splat(0.125), ..stage.surface }, ..stage };
+    let mut starts: Vec<f32> = stage.shown(&GLASS).rays.iter().map(|(ray, _)| ray.origin.z).collect();
+    starts.sort_by(f32::total_cmp);
+    assert!((starts[0] + 0.125).abs() < 1e-6 && (starts[1] - 0.125).abs() < 1e-6, "{starts:?}");
+}
+
+#[test]
+fn all_that_is_reflected_inside_has_the_bodys_colour_and_what_absorption_leaves() {
+    let absorption = Some(Absorption { distance: 2.0, color: Color::grey(0.5) });
+    let dark = Glass { absorption, color: Color::grey(0.25), ..GLASS };
+    let below = |direction: Vec3| Color::grey(if direction.z < 0.0 { 1.0 } else { 0.0 });
+    let shown = floor(Vec3::new(0.8, 0.0, 0.6)).shown_under(below, &dark).color.to_array()[0];
+    assert!((shown - 0.25 * (-0.5_f32).exp()).abs() < 1e-6, "{shown}");
+}
+
+#[test]
+fn a_normal_twice_as_long_lights_twice_as_brightly_and_turns_mirrored_rays_too_far() {
+    let long = |shader: Box<dyn Shader>| LongNormal { shader, length: 2.0 };
+    let matt = || Phong { diffuse: Arc::new(Color::grey(0.25)), specular: Color::BLACK, exponent: 1.0 };
+    assert_eq!(lit_from_the_side(&long(Box::new(matt())))[1], 2.0 * lit_from_the_side(&matt())[1]);
+    let stage = floor(Vec3::new(0.6, 0.0, -0.8));
+    let stage = Stage { surface: Surface { error: Vec3::splat(0.125), ..stage.surface }, ..stage };
+    let shown = stage.shown(&long(Box::new(Mirror { reflection: Color::WHITE })));
+    let ray = shown.rays[0].0;
+    // 2 (v.n) n - v, with v.n = 1.6; and twice as far off, along a normal twice as long.
+    assert!(ray.direction.distance(Vec3::new(0.6, 0.0, 2.0 * 3.2 - 0.8).normalize()) < 1e-6, "{}", ray.direction);
+    assert!((ray.origin.z - 4.0 * 0.125).abs() < 1e-6, "{}", ray.origin);
+    assert!(long(Box::new(matt())).casts_shadow());
+    let clear = shading::Glass { eta: 1.5, color: Color::WHITE, absorption: None };
+    assert!(!long(Box::new(clear)).casts_shadow());
 }
 
 #[test]
