@@ -83,7 +83,7 @@ fn a_highlight_of_sunflows_has_its_factor() {
     let stage = Stage { lamps: [Some(lamp), None], ..floor(-Vec3::Z) };
     let shader = Phong { diffuse: Arc::new(Color::grey(0.25)), specular: Color::grey(0.5), exponent: 6.0 };
     let arriving = lamp.arriving(1.0).to_array()[0];
-    let expected = arriving * (0.5 * 8.0 / std::f32::consts::TAU + 0.25 / std::f32::consts::PI);
+    let expected = arriving * (0.5 * 8.0 / (2.0 * PI) + 0.25 / PI);
     let shown = stage.shown(&shader).color.to_array()[0];
     assert!((shown - expected).abs() < 1e-6 * expected, "{shown} instead of {expected}");
 }
