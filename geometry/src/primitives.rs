@@ -1,46 +1,11 @@
 use std::sync::Arc;
 
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
-use crate::{Aabb, Ellipsoid, Hit, Interval, Kernels, Primitive, Ray, Sphere, Surface, Triangle};
-
-/// Triangles that share points.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
-    /// The points.
-    pub positions: Vec<Vec3>,
-    /// Three indices into the points for each triangle, counter-clockwise seen from the front.
-    pub triangles: Vec<[u32; 3]>,
-    /// Normals to shade with, of any length; a zero one falls back to the triangle's own.
-    pub normals: Corners<Vec3>,
-    /// Texture coordinates; without them the two edges from a triangle's first corner are the basis.
-    pub uvs: Corners<Vec2>,
-}
-
-/// Values at the corners of a mesh's triangles.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Corners<T> {
-    /// None are given.
-    #[default]
-    None,
-    /// The same at every corner.
-    Everywhere(T),
-    /// One for each point.
-    PerPoint(Vec<T>),
-    /// Three for each triangle.
-    PerTriangle(Vec<[T; 3]>),
-}
-
-impl<T: Copy> Corners<T> {
-    fn of(&self, face: usize, corners: [u32; 3]) -> Option<[T; 3]> {
-        match self {
-            Self::None => None,
-            Self::Everywhere(value) => Some([*value; 3]),
-            Self::PerPoint(values) => Some(corners.map(|corner| values[corner as usize])),
-            Self::PerTriangle(values) => Some(values[face]),
-        }
-    }
-}
+use crate::{
+    Aabb, Corners, Ellipsoid, Hit, Interval, Kernels, Mesh, Primitive, Ray, Sphere, Surface, Triangle,
+    mesh::MeshCorners,
+};
 
 /// The bounded primitives of a scene, numbered from 0 in the order in which they were added.
 ///
@@ -59,16 +24,6 @@ struct Shapes {
     /// The triangles of all meshes, one mesh after the other, with their corners in place: one load for a test.
     triangles: Vec<Triangle>,
     meshes: Vec<MeshCorners>,
-}
-
-/// What a mesh keeps beside its triangles' corners.
-#[derive(Clone, Debug)]
-struct MeshCorners {
-    first_triangle: u32,
-    /// Empty when no value is given for each point.
-    point_indices: Vec<[u32; 3]>,
-    normals: Corners<Vec3>,
-    uvs: Corners<Vec2>,
 }
 
 /// A triangle's own texture coordinates: its two edges from the first corner are the basis.
@@ -275,34 +230,10 @@ impl Primitives {
     }
 }
 
-impl MeshCorners {
-    fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of_val(&self.point_indices[..]) + self.normals.bytes() + self.uvs.bytes()
-    }
-}
-
-impl<T> Corners<T> {
-    /// How many values are missing.
-    fn missing(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> usize {
-        match self {
-            Self::None | Self::Everywhere(_) => 0,
-            Self::PerPoint(values) => positions.len().saturating_sub(values.len()),
-            Self::PerTriangle(values) => triangles.len().saturating_sub(values.len()),
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        match self {
-            Self::None | Self::Everywhere(_) => 0,
-            Self::PerPoint(values) => size_of_val(&values[..]),
-            Self::PerTriangle(values) => size_of_val(&values[..]),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     fn two_meshes_and_a_sphere() -> Primitives {
         let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y];

@@ -152,15 +152,15 @@ impl TriangleProbe {
 }
 
 /// Where a ray meets the plane of a triangle that it meets.
-struct PlaneMet {
-    t: f64,
+pub(crate) struct PlaneMet {
+    pub(crate) t: f64,
     /// Not of unit length.
     normal: DVec3,
-    is_in_doubt: bool,
+    pub(crate) is_in_doubt: bool,
 }
 
 #[inline(always)]
-fn plane_of(corners: [DVec3; 3], seen: [DVec3; 3], weights: [f64; 3], direction: DVec3) -> PlaneMet {
+pub(crate) fn plane_of(corners: [DVec3; 3], seen: [DVec3; 3], weights: [f64; 3], direction: DVec3) -> PlaneMet {
     let (along_b, along_c) = (corners[1] - corners[0], corners[2] - corners[0]);
     let normal = along_b.cross(along_c);
     let facing = normal.dot(direction);
@@ -173,62 +173,10 @@ fn plane_of(corners: [DVec3; 3], seen: [DVec3; 3], weights: [f64; 3], direction:
 
 /// The edge functions of corners seen from the origin, along a direction whose z is its largest component.
 #[inline(always)]
-fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> [f64; 3] {
+pub(crate) fn edge_functions(corners: [DVec3; 3], direction: DVec3) -> [f64; 3] {
     let [a, b, c] = [sheared(corners[0], direction), sheared(corners[1], direction), sheared(corners[2], direction)];
     let edge = |from: [f64; 2], to: [f64; 2]| to[0] * from[1] - to[1] * from[0];
     [edge(b, c), edge(c, a), edge(a, b)]
-}
-
-/// As many rays as lanes, each against its own triangle: see [`intersect_lanes`]. Axes turned as a [`TriangleProbe`]'s.
-#[derive(Clone, Debug)]
-pub struct TriangleLanes<const N: usize> {
-    /// For x, y, z: each ray's.
-    pub origin: [[f32; N]; 3],
-    /// As `origin`.
-    pub direction: [[f32; N]; 3],
-    /// For each corner: x, y, z.
-    pub corners: [[[f32; N]; 3]; 3],
-}
-
-/// Where each lane's ray meets its triangle, as [`TriangleProbe::intersect`] has it in each bit, but in no interval.
-#[derive(Clone, Debug)]
-pub struct LanesMet<const N: usize> {
-    /// As in [`Intersection`].
-    pub t: [f32; N],
-    /// As in [`Intersection`].
-    pub u: [f32; N],
-    /// As in [`Intersection`].
-    pub v: [f32; N],
-    /// Not 0 where the probe has to be asked, because the triangle is missed, or seen edge-on, or met at its very edge.
-    pub is_in_doubt: [u32; N],
-}
-
-#[inline(always)]
-fn at<const N: usize>(rows: &[[f32; N]; 3], lane: usize) -> DVec3 {
-    Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]).as_dvec3()
-}
-
-/// Intersects many rays with a triangle each, all in the same steps: a loop that the compiler makes vectors of. For who knows already that
-/// nearly all of them meet.
-#[inline(always)]
-pub fn intersect_lanes<const N: usize>(lanes: &TriangleLanes<N>) -> LanesMet<N> {
-    let mut met = LanesMet { t: [0.0; N], u: [0.0; N], v: [0.0; N], is_in_doubt: [0; N] };
-    for lane in 0..N {
-        let (origin, direction) = (at(&lanes.origin, lane), at(&lanes.direction, lane));
-        let corners = [at(&lanes.corners[0], lane), at(&lanes.corners[1], lane), at(&lanes.corners[2], lane)];
-        let seen = [corners[0] - origin, corners[1] - origin, corners[2] - origin];
-        let weights = edge_functions(seen, direction);
-        let plane = plane_of(corners, seen, weights, direction);
-        let inverse = 1.0 / (weights[0] + weights[1] + weights[2]);
-        let (u, v) = (weights[1] * inverse, weights[2] * inverse);
-        // Comparisons that a NaN fails. The last one: no cut to the triangle would change them.
-        let is_certain = have_one_sign(weights) & !plane.is_in_doubt & (v <= 1.0 - u);
-        met.t[lane] = plane.t as f32;
-        met.u[lane] = u as f32;
-        met.v[lane] = v as f32;
-        met.is_in_doubt[lane] = u32::from(!is_certain);
-    }
-    met
 }
 
 #[inline(always)]
@@ -238,7 +186,7 @@ fn sheared(corner: DVec3, direction: DVec3) -> [f64; 2] {
 }
 
 #[inline(always)]
-fn have_one_sign([a, b, c]: [f64; 3]) -> bool {
+pub(crate) fn have_one_sign([a, b, c]: [f64; 3]) -> bool {
     // Not &&: the comparisons are cheaper than branches on them.
     ((a >= 0.0) & (b >= 0.0) & (c >= 0.0)) | ((a <= 0.0) & (b <= 0.0) & (c <= 0.0))
 }
