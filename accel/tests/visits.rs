@@ -1,7 +1,7 @@
 //! What accelerators tell of themselves, and of what a ray visits.
 
 use accel::{Accelerator, Step, Visits, none, octree, wide, wide_up_to};
-use geometry::{Interval, Primitives, Ray, Sphere};
+use geometry::{Interval, Mesh, Primitives, Ray, Sphere};
 use glam::Vec3;
 
 /// 1000 spheres of radius 0.3 on the whole numbers from 0 to 9.
@@ -71,4 +71,45 @@ fn each_step_of_the_wide_octree_is_expected_to_cost_no_more_than_the_one_before_
     assert!(costs[0] > 1.05 * costs[1], "{costs:?}");
     // Spheres are not cut.
     assert_eq!(costs[1], costs[2]);
+}
+
+/// Walls behind each other, along an axis, 1 apart. Of the first and the last of them only one half is there.
+fn walls(count: u32, halves: u32, [along, right, up]: [Vec3; 3]) -> Primitives {
+    let corners = [-right - up, right - up, right + up, up - right];
+    let is_half = |wall: u32| wall < halves || wall >= count - halves;
+    let faces = |wall: u32| {
+        [[0, 1, 2], [0, 2, 3]]
+            .into_iter()
+            .skip(usize::from(is_half(wall)))
+            .map(move |face| face.map(|corner| 4 * wall + corner))
+    };
+    let mut primitives = Primitives::default();
+    primitives.add_mesh(Mesh {
+        positions: (0..count).flat_map(|wall| corners.map(|corner| wall as f32 * along + corner)).collect(),
+        triangles: (0..count).flat_map(faces).collect(),
+        ..Mesh::default()
+    });
+    primitives
+}
+
+/// What is nearer is visited first: whichever way a ray goes through the walls, it stops at the first that it meets.
+#[test]
+fn a_ray_that_meets_the_first_of_many_walls_visits_few() {
+    for (count, halves) in [(10, 0), (1000, 0), (1000, 100)] {
+        for axis in 0..3 {
+            let axes @ [along, right, up] = [0, 1, 2].map(|next| Vec3::AXES[(axis + next) % 3]);
+            let primitives = walls(count, halves, axes);
+            for tree in [octree(primitives.clone()), wide(primitives.clone())] {
+                for (start, way) in [(-1.0, along), (count as f32, -along)] {
+                    let ray = Ray::new(start * along + 0.3 * right + 0.1 * up, way);
+                    assert_eq!(tree.closest(&ray, Interval::FORWARD).map(|hit| hit.t), Some(1.0 + halves as f32));
+                    let visited = tree.visits(&ray, Interval::FORWARD).primitives;
+                    assert!(
+                        visited <= u64::from(halves + 8),
+                        "{visited} of {count} walls, {halves} of them halves, {way}"
+                    );
+                }
+            }
+        }
+    }
 }
