@@ -57,3 +57,18 @@ fn a_broken_law_shows_a_single_ray() {
         assert_eq!(broken.counterexample.case.matches("Ray {").count(), 1, "{broken}");
     }
 }
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn instructions_are_found_where_the_processor_has_them() {
+    let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    let has_avx512 = is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512vl")
+        && is_x86_feature_detected!("avx512dq");
+    for (instructions, has) in
+        [(Instructions::Portable, true), (Instructions::Avx2, has_avx2), (Instructions::Avx512, has_avx512)]
+    {
+        let built = wide_with(Primitives::default(), Hits::Exact, instructions);
+        assert_eq!(built.is_some(), has, "{instructions:?}");
+    }
+}

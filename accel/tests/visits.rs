@@ -113,3 +113,32 @@ fn a_ray_that_meets_the_first_of_many_walls_visits_few() {
         }
     }
 }
+
+/// Two rows of eight stacks of walls. A ray through a stack of each meets two boxes of a node's sixteen, and stops in the first.
+#[test]
+fn of_two_boxes_the_nearer_is_visited_first() {
+    for axis in 0..3 {
+        let [along, right, up] = [0, 1, 2].map(|next| Vec3::AXES[(axis + next) % 3]);
+        let place = |wall: u32| {
+            let (row, stack, depth) = (wall / 32, wall / 4 % 8, wall % 4);
+            (10.0 * row as f32 + 0.1 * depth as f32) * along + 10.0 * stack as f32 * right
+        };
+        let corners = [-right - up, right - up, right + up, up - right];
+        let faces = |wall: u32| [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|corner| 4 * wall + corner));
+        let mut primitives = Primitives::default();
+        primitives.add_mesh(Mesh {
+            positions: (0..64).flat_map(|wall| corners.map(|corner| place(wall) + corner)).collect(),
+            triangles: (0..64).flat_map(faces).collect(),
+            ..Mesh::default()
+        });
+        for tree in [octree(primitives.clone()), wide(primitives.clone())] {
+            for stack in 0..8 {
+                let beside = 10.0 * stack as f32 * right + 0.3 * right + 0.1 * up;
+                for (start, way) in [(-5.0, along), (15.0, -along)] {
+                    let visited = tree.visits(&Ray::new(start * along + beside, way), Interval::FORWARD).primitives;
+                    assert!((1..=8).contains(&visited), "{visited} of stack {stack}, {way}");
+                }
+            }
+        }
+    }
+}
