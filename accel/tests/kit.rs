@@ -61,8 +61,14 @@ fn a_broken_law_shows_a_single_ray() {
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn instructions_are_found_where_the_processor_has_them() {
-    let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-    let has_avx512 = is_x86_feature_detected!("avx512f")
+    let has_bits = is_x86_feature_detected!("bmi1")
+        && is_x86_feature_detected!("bmi2")
+        && is_x86_feature_detected!("lzcnt")
+        && is_x86_feature_detected!("popcnt")
+        && is_x86_feature_detected!("fma");
+    let has_avx2 = has_bits && is_x86_feature_detected!("avx2");
+    let has_avx512 = has_bits
+        && is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512vl")
         && is_x86_feature_detected!("avx512dq");
     for (instructions, has) in
