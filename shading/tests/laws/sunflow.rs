@@ -55,6 +55,12 @@ fn at_brewsters_angle_only_light_across_is_reflected() {
 }
 
 #[test]
+fn at_other_angles_both_are_reflected_as_fresnel_says() {
+    // cos 0.6 outside, 0.845905 inside: ((0.6 - 1.268857) / (0.6 + 1.268857))^2 and ((0.9 - 0.845905) / (0.9 + 0.845905))^2
+    assert_shows(&floor(Vec3::new(0.8, 0.0, -0.6)), &GLASS, 0.064_525);
+}
+
+#[test]
 fn glass_refracts_by_snells_law_and_reflects_all_beyond_the_critical_angle() {
     let way = |direction: Vec3| floor(direction).shown(&GLASS).rays[0].0.direction;
     let sine = |direction: Vec3| direction.x;
