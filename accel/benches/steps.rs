@@ -6,9 +6,8 @@
 //! ```
 //!
 //! Meshes and rays are those of the bench against peers (its README.md describes them). The table has thousands of rays a second, on one thread,
-//! for camera, shadow and diffuse rays; all take turns of eight thousand rays, whose
-//! ways are too many for the processor to foresee them from the last round; and of some rounds of each turn the least disturbed counts. Time
-//! is that of the thread on the processor.
+//! for camera, shadow and diffuse rays; all take turns of eight thousand rays, whose ways are too many for the processor to foresee them from
+//! the last round; and of some rounds of each turn the least disturbed counts. Time is that of the thread on the processor.
 //! Some of the rays are asked of every exact step beforehand: all give the same hits.
 #![allow(clippy::print_stdout, missing_docs, unreachable_pub)]
 

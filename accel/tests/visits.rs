@@ -73,32 +73,33 @@ fn each_step_of_the_wide_octree_is_expected_to_cost_no_more_than_the_one_before_
     assert_eq!(costs[1], costs[2]);
 }
 
-/// Walls behind each other, along an axis, 1 apart. Of the first and the last of them only one half is there.
-fn walls(count: u32, halves: u32, [along, right, up]: [Vec3; 3]) -> Primitives {
-    let corners = [-right - up, right - up, right + up, up - right];
-    let is_half = |wall: u32| wall < halves || wall >= count - halves;
-    let faces = |wall: u32| {
-        [[0, 1, 2], [0, 2, 3]]
-            .into_iter()
-            .skip(usize::from(is_half(wall)))
-            .map(move |face| face.map(|corner| 4 * wall + corner))
-    };
+/// Squares of edge 2 across an axis, the first of `axes`: where each stands, and how many of its two triangles are there.
+fn walls([_, right, up]: [Vec3; 3], places: impl Iterator<Item = (Vec3, usize)>) -> Primitives {
+    let mut mesh = Mesh::default();
+    for (place, triangles) in places {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend([-right - up, right - up, right + up, up - right].map(|corner| place + corner));
+        let faces = [[0, 2, 3], [0, 1, 2]].into_iter().take(triangles);
+        mesh.triangles.extend(faces.map(|face| face.map(|corner| first + corner)));
+    }
     let mut primitives = Primitives::default();
-    primitives.add_mesh(Mesh {
-        positions: (0..count).flat_map(|wall| corners.map(|corner| wall as f32 * along + corner)).collect(),
-        triangles: (0..count).flat_map(faces).collect(),
-        ..Mesh::default()
-    });
+    primitives.add_mesh(mesh);
     primitives
 }
 
-/// What is nearer is visited first: whichever way a ray goes through the walls, it stops at the first that it meets.
+/// The axes, beginning with each of them.
+fn turned_axes() -> [[Vec3; 3]; 3] {
+    [0, 1, 2].map(|axis| [0, 1, 2].map(|next| Vec3::AXES[(axis + next) % 3]))
+}
+
+/// What is nearer is visited first: whichever way a ray goes through walls behind each other, it stops at the first that it meets. It passes those
+/// of the first and the last of which only one half is there.
 #[test]
 fn a_ray_that_meets_the_first_of_many_walls_visits_few() {
     for (count, halves) in [(10, 0), (1000, 0), (1000, 100)] {
-        for axis in 0..3 {
-            let axes @ [along, right, up] = [0, 1, 2].map(|next| Vec3::AXES[(axis + next) % 3]);
-            let primitives = walls(count, halves, axes);
+        for axes @ [along, right, up] in turned_axes() {
+            let triangles = |wall: u32| if (halves..count - halves).contains(&wall) { 2 } else { 1 };
+            let primitives = walls(axes, (0..count).map(|wall| (wall as f32 * along, triangles(wall))));
             for tree in [octree(primitives.clone()), wide(primitives.clone())] {
                 for (start, way) in [(-1.0, along), (count as f32, -along)] {
                     let ray = Ray::new(start * along + 0.3 * right + 0.1 * up, way);
@@ -117,20 +118,12 @@ fn a_ray_that_meets_the_first_of_many_walls_visits_few() {
 /// Two rows of eight stacks of walls. A ray through a stack of each meets two boxes of a node's sixteen, and stops in the first.
 #[test]
 fn of_two_boxes_the_nearer_is_visited_first() {
-    for axis in 0..3 {
-        let [along, right, up] = [0, 1, 2].map(|next| Vec3::AXES[(axis + next) % 3]);
+    for axes @ [along, right, up] in turned_axes() {
         let place = |wall: u32| {
             let (row, stack, depth) = (wall / 32, wall / 4 % 8, wall % 4);
             (10.0 * row as f32 + 0.1 * depth as f32) * along + 10.0 * stack as f32 * right
         };
-        let corners = [-right - up, right - up, right + up, up - right];
-        let faces = |wall: u32| [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|corner| 4 * wall + corner));
-        let mut primitives = Primitives::default();
-        primitives.add_mesh(Mesh {
-            positions: (0..64).flat_map(|wall| corners.map(|corner| place(wall) + corner)).collect(),
-            triangles: (0..64).flat_map(faces).collect(),
-            ..Mesh::default()
-        });
+        let primitives = walls(axes, (0..64).map(|wall| (place(wall), 2)));
         for tree in [octree(primitives.clone()), wide(primitives.clone())] {
             for stack in 0..8 {
                 let beside = 10.0 * stack as f32 * right + 0.3 * right + 0.1 * up;

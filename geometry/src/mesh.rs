@@ -38,22 +38,6 @@ impl<T: Copy> Corners<T> {
     }
 }
 
-/// What a mesh keeps beside its triangles' corners.
-#[derive(Clone, Debug)]
-pub(crate) struct MeshCorners {
-    pub(crate) first_triangle: u32,
-    /// Empty when no value is given for each point.
-    pub(crate) point_indices: Vec<[u32; 3]>,
-    pub(crate) normals: Corners<Vec3>,
-    pub(crate) uvs: Corners<Vec2>,
-}
-
-impl MeshCorners {
-    pub(crate) fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of_val(&self.point_indices[..]) + self.normals.bytes() + self.uvs.bytes()
-    }
-}
-
 impl<T> Corners<T> {
     /// How many values are missing.
     pub(crate) fn missing(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> usize {
@@ -70,5 +54,21 @@ impl<T> Corners<T> {
             Self::PerPoint(values) => size_of_val(&values[..]),
             Self::PerTriangle(values) => size_of_val(&values[..]),
         }
+    }
+}
+
+/// What a mesh keeps beside its triangles' corners.
+#[derive(Clone, Debug)]
+pub(crate) struct MeshCorners {
+    pub(crate) first_triangle: u32,
+    /// Empty when no value is given for each point.
+    pub(crate) point_indices: Vec<[u32; 3]>,
+    pub(crate) normals: Corners<Vec3>,
+    pub(crate) uvs: Corners<Vec2>,
+}
+
+impl MeshCorners {
+    pub(crate) fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&self.point_indices[..]) + self.normals.bytes() + self.uvs.bytes()
     }
 }

@@ -39,7 +39,7 @@ pub fn meet_sphere_lanes<const N: usize>(
         let power = distance - squared;
         let far = middle + (depth / a).sqrt().copysign(middle);
         let other = if far == 0.0 { 0.0 } else { power / a / far };
-        // If both are in front, the lesser in magnitude is the first; else the other one is behind.
+        // In front, where the interval lies, the root of lesser magnitude comes first.
         let (first, second) = (other as f32, far as f32);
         let is_within = |t: f32| (t > within.min) & (t < within.max);
         let t = if is_within(first) { first } else { second };

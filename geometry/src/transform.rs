@@ -138,8 +138,8 @@ mod tests {
         // Half a turn about an axis that is no diagonal: what is along it stays.
         let axis = DVec3::new(1.0, -2.0, 3.0);
         let half = Transform::rotation(axis, 180.0);
-        assert!(half.direction(axis).distance(axis) < 1e-15 * 8.0);
-        assert!(half.direction(DVec3::new(2.0, 1.0, 0.0)).distance(DVec3::new(-2.0, -1.0, 0.0)) < 1e-15 * 8.0);
+        assert!(half.direction(axis).distance(axis) < 8e-15);
+        assert!(half.direction(DVec3::new(2.0, 1.0, 0.0)).distance(DVec3::new(-2.0, -1.0, 0.0)) < 8e-15);
     }
 
     #[test]

@@ -1,12 +1,36 @@
-use geometry::conformance::times;
+use geometry::{Surface, conformance::times};
+use glam::Vec3;
 use proptest::prelude::*;
 use shading::{
-    conformance::{absorbed, lit_from},
+    Color, Shader, ShadingPoint,
+    conformance::{Stage, absorbed, lit_from},
     linear_falloff, logarithmic_falloff,
     sunflow::inverse_square_falloff,
 };
 
 use crate::exact::{Real, approximate, is_right, pi, real};
+use crate::sunflow::floor;
+
+/// Asks whether the way to a place is free.
+struct Towards(Vec3);
+
+impl Shader for Towards {
+    fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
+        at.world.blocked(&at.ray_towards(self.0));
+        Color::BLACK
+    }
+}
+
+#[test]
+fn a_ray_towards_a_target_starts_on_its_side_and_is_there_at_1() {
+    let stage = floor(-Vec3::Z);
+    let stage = Stage { surface: Surface { position: Vec3::ONE, error: Vec3::splat(0.125), ..stage.surface }, ..stage };
+    for (target, side) in [(Vec3::new(4.0, 3.0, 9.0), 1.0), (Vec3::new(0.5, 0.5, 0.5), -1.0)] {
+        let ray = stage.shown(&Towards(target)).segments[0];
+        assert!((ray.origin - (Vec3::ONE + side * 0.125 * Vec3::Z)).length() < 1e-6, "{}", ray.origin);
+        assert!((ray.origin + ray.direction).distance(target) < 1e-6);
+    }
+}
 
 proptest! {
     #![proptest_config(times(16))]

@@ -10,7 +10,7 @@ use shading::sunflow::{Constant, Glass, LongNormal, Mirror, Phong, Shiny};
 use shading::{Absorption, Bounces, Color, LightFormula, Phong as ReportPhong, Shader};
 
 /// A floor seen along a unit direction; from below it is the inside.
-fn floor(direction: Vec3) -> Stage {
+pub(crate) fn floor(direction: Vec3) -> Stage {
     Stage {
         direction,
         distance: 2.0,
@@ -23,11 +23,27 @@ fn floor(direction: Vec3) -> Stage {
     }
 }
 
+/// Seen aslant, where each coordinate may be off by an eighth.
+fn rough_floor() -> Stage {
+    let stage = floor(Vec3::new(0.6, 0.0, -0.8));
+    Stage { surface: Surface { error: Vec3::splat(0.125), ..stage.surface }, ..stage }
+}
+
+/// From the origin, 60 degrees away from the floor's normal.
+fn aslant() -> Vec3 {
+    Vec3::new(0.75_f32.sqrt(), 0.0, 0.5)
+}
+
 const GLASS: Glass = Glass { eta: 1.5, color: Color::WHITE, absorption: None };
 
 /// Bright above and black below: what glass reflects of it, seen from above, or lets through, seen from below.
 fn bright_above(direction: Vec3) -> Color {
     Color::grey(if direction.z > 0.0 { 1.0 } else { 0.0 })
+}
+
+/// The other way around.
+fn bright_below(direction: Vec3) -> Color {
+    bright_above(-direction)
 }
 
 #[track_caller]
@@ -42,7 +58,7 @@ fn glass_seen_straight_reflects_four_percent() {
     assert_shows(&floor(-Vec3::Z), &GLASS, 0.04);
     // From inside all but that is let through, and nothing reflected.
     assert_shows(&floor(Vec3::Z), &GLASS, 0.96);
-    let below = floor(Vec3::Z).shown_under(|direction| Color::grey(if direction.z < 0.0 { 1.0 } else { 0.0 }), &GLASS);
+    let below = floor(Vec3::Z).shown_under(bright_below, &GLASS);
     assert_eq!(below.color, Color::BLACK);
 }
 
@@ -96,7 +112,7 @@ fn a_highlight_of_sunflows_has_its_factor() {
 
 /// What a light at 60 degrees from the normal brings to the floor, and what a shader makes of that.
 fn lit_from_the_side(shader: &dyn Shader) -> [f32; 2] {
-    let lamp = Lamp { position: Vec3::new(0.75_f32.sqrt(), 0.0, 0.5), color: Color::WHITE, power: 1.0 };
+    let lamp = Lamp { position: aslant(), color: Color::WHITE, power: 1.0 };
     let stage = Stage { lamps: [Some(lamp), None], ..floor(-Vec3::Z) };
     [lamp.arriving(1.0), stage.shown_under(bright_above, shader).color].map(|color| color.to_array()[0])
 }
@@ -117,7 +133,7 @@ fn a_shiny_surface_is_matt_under_a_mirror_of_its_colour() {
     let expected = 0.25 * 0.5 * arriving / PI + 0.125;
     assert!((shown - expected).abs() < 1e-6, "{shown} instead of {expected}");
     // Unlit, and seen at 60 degrees: 0.125 + 0.875 (1 - 1/2)^5
-    assert_shows(&floor(Vec3::new(0.75_f32.sqrt(), 0.0, -0.5)), &shader, 0.125 + 0.875 / 32.0);
+    assert_shows(&floor(aslant().with_z(-0.5)), &shader, 0.125 + 0.875 / 32.0);
     assert_eq!(shader.asks_lights(), Some(LightFormula::Sunflow));
 }
 
@@ -125,7 +141,7 @@ fn a_shiny_surface_is_matt_under_a_mirror_of_its_colour() {
 fn a_mirror_of_sunflows_reflects_more_at_grazing_angles() {
     let mirror = Mirror { reflection: Color::grey(0.25) };
     assert_shows(&floor(-Vec3::Z), &mirror, 0.25);
-    assert_shows(&floor(Vec3::new(0.75_f32.sqrt(), 0.0, -0.5)), &mirror, 0.25 + 0.75 / 32.0);
+    assert_shows(&floor(aslant().with_z(-0.5)), &mirror, 0.25 + 0.75 / 32.0);
 }
 
 #[test]
@@ -135,9 +151,7 @@ fn a_constant_surface_of_sunflows_needs_no_light() {
 
 #[test]
 fn rays_start_on_the_side_that_they_go_to() {
-    let stage = floor(Vec3::new(0.6, 0.0, -0.8));
-    let stage = Stage { surface: Surface { error: Vec3::splat(0.125), ..stage.surface }, ..stage };
-    let mut starts: Vec<f32> = stage.shown(&GLASS).rays.iter().map(|(ray, _)| ray.origin.z).collect();
+    let mut starts: Vec<f32> = rough_floor().shown(&GLASS).rays.iter().map(|(ray, _)| ray.origin.z).collect();
     starts.sort_by(f32::total_cmp);
     assert!((starts[0] + 0.125).abs() < 1e-6 && (starts[1] - 0.125).abs() < 1e-6, "{starts:?}");
 }
@@ -146,8 +160,7 @@ fn rays_start_on_the_side_that_they_go_to() {
 fn all_that_is_reflected_inside_has_the_bodys_colour_and_what_absorption_leaves() {
     let absorption = Some(Absorption { distance: 2.0, color: Color::grey(0.5) });
     let dark = Glass { absorption, color: Color::grey(0.25), ..GLASS };
-    let below = |direction: Vec3| Color::grey(if direction.z < 0.0 { 1.0 } else { 0.0 });
-    let shown = floor(Vec3::new(0.8, 0.0, 0.6)).shown_under(below, &dark).color.to_array()[0];
+    let shown = floor(Vec3::new(0.8, 0.0, 0.6)).shown_under(bright_below, &dark).color.to_array()[0];
     assert!((shown - 0.25 * (-0.5_f32).exp()).abs() < 1e-6, "{shown}");
 }
 
@@ -156,9 +169,7 @@ fn a_normal_twice_as_long_lights_twice_as_brightly_and_turns_mirrored_rays_too_f
     let long = |shader: Box<dyn Shader>| LongNormal { shader, length: 2.0 };
     let matt = || Phong { diffuse: Arc::new(Color::grey(0.25)), specular: Color::BLACK, exponent: 1.0 };
     assert_eq!(lit_from_the_side(&long(Box::new(matt())))[1], 2.0 * lit_from_the_side(&matt())[1]);
-    let stage = floor(Vec3::new(0.6, 0.0, -0.8));
-    let stage = Stage { surface: Surface { error: Vec3::splat(0.125), ..stage.surface }, ..stage };
-    let shown = stage.shown(&long(Box::new(Mirror { reflection: Color::WHITE })));
+    let shown = rough_floor().shown(&long(Box::new(Mirror { reflection: Color::WHITE })));
     let ray = shown.rays[0].0;
     // 2 (v.n) n - v, with v.n = 1.6; and twice as far off, along a normal twice as long.
     assert!(ray.direction.distance(Vec3::new(0.6, 0.0, 2.0 * 3.2 - 0.8).normalize()) < 1e-6, "{}", ray.direction);
