@@ -95,8 +95,8 @@ impl Plan for Second<'_> {
 
     fn rays(&self, pixel: [u32; 2]) -> (Sample, Range<u32>) {
         let least = self.settings.least_rays();
-        let seen = neighbours(pixel, self.around).map(|place| &self.first[self.around.index(place)]);
-        (samples(self.settings, pixel), least..count(self.settings, deviation(seen, least)))
+        let deviation = deviation(neighbours(pixel, self.around, self.first), least);
+        (samples(self.settings, pixel), least..count(self.settings, deviation))
     }
 
     fn add(&self, rest: &mut Rest, color: Color) {
@@ -121,23 +121,29 @@ fn samples(settings: &Settings, pixel: [u32; 2]) -> Sample {
     Sample { seed: settings.seed, pixel, zones, count: settings.rays_per_pixel(), index: 0, purpose: Purpose::Pixel }
 }
 
-/// The pixels around one, without itself, within an area.
-fn neighbours([x, y]: [u32; 2], area: Crop) -> impl Iterator<Item = [u32; 2]> {
-    let rows = y.saturating_sub(REACH)..=y + REACH;
-    let places = rows.flat_map(move |row| (x.saturating_sub(REACH)..=x + REACH).map(move |column| [column, row]));
-    places.filter(move |&place| place != [x, y] && area.contains(place))
+/// Those around one of an area's pixels, without itself.
+fn neighbours<T>([x, y]: [u32; 2], area: Crop, pixels: &[T]) -> impl Iterator<Item = &T> {
+    let own = &pixels[area.index([x, y])];
+    let near =
+        |at: u32, start: u32, length: u32| at.saturating_sub(REACH).max(start)..(at + REACH + 1).min(start + length);
+    let (columns, rows) = (near(x, area.x, area.width), near(y, area.y, area.height));
+    let rows = rows.flat_map(move |row| {
+        let first = area.index([columns.start, row]);
+        &pixels[first..first + columns.len()]
+    });
+    rows.filter(move |pixel| !std::ptr::eq(*pixel, own))
 }
 
 /// The standard deviation of what is seen of pixels' first rays, in the channel where it is largest; 0 if there are none, or all are NaN.
 fn deviation<'a>(pixels: impl Iterator<Item = &'a FirstRays>, rays_each: u32) -> f64 {
     let (mut count, mut sums, mut squares) = (0.0, [0.0; 3], [0.0; 3]);
-    for pixel in pixels {
+    pixels.for_each(|pixel| {
         count += f64::from(rays_each);
         for channel in 0..3 {
             sums[channel] += pixel.seen[channel];
             squares[channel] += pixel.squares[channel];
         }
-    }
+    });
     let variance = |channel: usize| squares[channel] / count - (sums[channel] / count) * (sums[channel] / count);
     (0..3).map(variance).fold(0.0, f64::max).sqrt()
 }
@@ -198,9 +204,11 @@ mod tests {
 
     #[test]
     fn a_pixel_has_eight_neighbours_fewer_at_the_border() {
-        let area = Crop { x: 0, y: 0, width: 4, height: 3 };
-        let found = [[1, 1], [0, 0], [3, 1]].map(|pixel| neighbours(pixel, area).count());
-        assert_eq!(found, [8, 3, 5]);
-        assert!(neighbours([1, 1], area).all(|place| place != [1, 1]));
+        let area = Crop { x: 5, y: 7, width: 4, height: 3 };
+        let pixels: Vec<_> = (0..12).collect();
+        let around = |x, y| neighbours([5 + x, 7 + y], area, &pixels).copied().collect::<Vec<_>>();
+        assert_eq!(around(1, 1), [0, 1, 2, 4, 6, 8, 9, 10]);
+        assert_eq!(around(0, 0), [1, 4, 5]);
+        assert_eq!(around(3, 2), [6, 7, 10]);
     }
 }

@@ -28,11 +28,12 @@ JARS = ["/usr/share/java/sunflow.jar", "/usr/share/java/janino.jar"]
 AIMS = {"Sunflow": (8, 12), "POV-Ray": (5, 5), "Sunflow at equal error": (8, 8)}
 # How far girasol's and POV-Ray's pictures may be apart, as RMSE: edges are, for Sunflow's camera is half a pixel off centre.
 LIKENESS = 0.03
-# Ways for girasol to make a picture: most are the adaptive one's, which go from few rays to many where there is more to be seen.
-WAYS = [
-    *(["--aa", aa, "--adaptive", "--sampler", "sobol"] for aa in ("0,1", "0,2", "0,3", "1,3", "0,4", "1,4")),
-    *(["--aa", "0", "--samples", samples, "--sampler", "sobol"] for samples in ("2", "4", "8", "16", "32", "64")),
-]
+# How many rays girasol's adaptive pictures give a pixel, least and most; and between which contrasts the one that is just good enough is looked for.
+ADAPTIVE = ("0,2", "0,4", "1,4")
+CONTRASTS = (0.003, 0.3)
+# Rays in every pixel, where all have as many.
+EVEN = ("2", "4", "8", "16", "32", "64")
+
 
 
 def main():
@@ -176,14 +177,26 @@ def at_equal_error(name, scene, runs):
         return None
     aim = pictures.rmse(theirs, their_reference)
     good = []
-    for way in WAYS:
-        seconds = timed(by_girasol(scene, ours, *way))
-        if seconds is None:
-            return None
-        error = pictures.rmse(ours, our_reference)
-        print(f"{name}: {' '.join(way)}: error {error:.4f} (Sunflow {aim:.4f}), {seconds[1]:.3f} s", file=sys.stderr)
+
+    def is_good(*options):
+        way = [*options, "--sampler", "sobol"]
+        once = timed(by_girasol(scene, ours, *way))
+        if once is None:
+            return False
+        error, seconds = pictures.rmse(ours, our_reference), once[1]
+        print(f"{name}: {' '.join(way)}: error {error:.4f} (Sunflow {aim:.4f}), {seconds:.3f} s", file=sys.stderr)
         if error <= aim:
-            good.append((seconds[1], way))
+            good.append((seconds, way))
+        return error <= aim
+
+    for aa in ADAPTIVE:
+        least, most = CONTRASTS
+        for _ in range(7):
+            middle = (least * most) ** 0.5
+            least, most = (middle, most) if is_good("--aa", aa, f"--adaptive={middle:.4f}") else (least, middle)
+    for samples in EVEN:
+        if is_good("--aa", "0", "--samples", samples):
+            break
     if not good:
         print(f"{name}: girasol does not reach the error {aim:.4f}", file=sys.stderr)
         return None
