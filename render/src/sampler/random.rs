@@ -20,9 +20,10 @@ pub fn centred(first: Sample, points: &mut [DVec2]) {
 
 /// A place in the pixel from a place in a zone. The rays go round the zones, row by row from the top left.
 fn in_zone(sample: Sample, place: DVec2) -> DVec2 {
-    let corner =
-        DVec2::new(f64::from(sample.index % sample.zones), f64::from(sample.index / sample.zones % sample.zones));
-    (corner + place) / f64::from(sample.zones)
+    let Sample { zones, index, .. } = sample;
+    // A power of two: its division is a shift, and exact.
+    let [column, row] = [index, index >> zones.trailing_zeros()].map(|number| f64::from(number & (zones - 1)));
+    (DVec2::new(column, row) + place) * (1.0 / f64::from(zones))
 }
 
 fn independent(sample: Sample) -> DVec2 {
