@@ -206,7 +206,7 @@ mod tests {
     fn a_pixel_has_eight_neighbours_fewer_at_the_border() {
         let area = Crop { x: 5, y: 7, width: 4, height: 3 };
         let pixels: Vec<_> = (0..12).collect();
-        let around = |x, y| neighbours([5 + x, 7 + y], area, &pixels).copied().collect::<Vec<_>>();
+        let around = |x: u32, y: u32| neighbours([5 + x, 7 + y], area, &pixels).copied().collect::<Vec<_>>();
         assert_eq!(around(1, 1), [0, 1, 2, 4, 6, 8, 9, 10]);
         assert_eq!(around(0, 0), [1, 4, 5]);
         assert_eq!(around(3, 2), [6, 7, 10]);

@@ -119,14 +119,14 @@ impl<'a> CameraRays<'a> {
         let mut points = Vec::with_capacity(rays.len());
         for (number, (ray, hit)) in rays.iter().zip(&*hits).enumerate() {
             if let Some(hit) = hit {
-                points.push(Point { ray: number, samples, seen: tracer.seen(ray, hit) });
+                points.push(Point { ray: number, seen: tracer.seen(ray, hit) });
             }
         }
-        lit.ask(tracer, &points);
+        lit.ask(tracer, samples, &points);
         let colors = &mut self.colors[..rays.len()];
         colors.fill(tracer.background());
         for (number, point) in points.iter().enumerate() {
-            colors[point.ray] = tracer.camera_color(&rays[point.ray], point, lit.at(number));
+            colors[point.ray] = tracer.camera_color(samples, point, lit.at(number));
         }
         for (&color, &of_ray) in colors.iter().zip(&samples.of_rays) {
             let pixel = &samples.pixels[of_ray as usize];

@@ -2,7 +2,10 @@ use geometry::Ray;
 use glam::Vec3;
 use shading::{Color, Incident, LightFormula, PointLight};
 
-use crate::tracer::{Point, Tracer};
+use crate::{
+    camera_rays::Samples,
+    tracer::{Point, Tracer},
+};
 
 /// What the lights bring to what camera rays see: asked light by light, for many points together.
 ///
@@ -64,15 +67,19 @@ impl Lit {
     }
 
     /// Forgets what was asked before, and asks for those of the points whose shaders ask lights.
-    pub(crate) fn ask(&mut self, tracer: &Tracer<'_>, points: &[Point<'_>]) {
+    pub(crate) fn ask(&mut self, tracer: &Tracer<'_>, samples: &Samples, points: &[Point<'_>]) {
         self.found.clear();
         if self.lights.is_empty() {
             return;
         }
         self.incidents.resize(points.len() * self.lights.len(), NOTHING);
+        // All surfaces first: one that is read at once is still on its way to memory.
+        points.iter().filter(|point| point.seen.shader.asks_lights().is_some()).for_each(|point| {
+            tracer.surface(&point.seen);
+        });
         for (place, point) in points.iter().enumerate() {
             let formula = point.seen.shader.asks_lights();
-            let segments = formula.map_or(0, |formula| self.ask_for(place, point, formula, tracer));
+            let segments = formula.map_or(0, |formula| self.ask_for(place, point, formula, tracer, samples));
             self.found.push(Found { formula, segments, reached: 0 });
         }
         for number in 0..self.lights.len() {
@@ -81,15 +88,21 @@ impl Lit {
     }
 
     /// Asks all lights for a point; returns how many of them may reach it.
-    fn ask_for(&mut self, place: usize, point: &Point<'_>, formula: LightFormula, tracer: &Tracer<'_>) -> usize {
+    fn ask_for(
+        &mut self,
+        place: usize,
+        point: &Point<'_>,
+        formula: LightFormula,
+        tracer: &Tracer<'_>,
+        samples: &Samples,
+    ) -> usize {
         let first = place * self.lights.len();
-        let facing = tracer.facing(formula, point);
+        let arriving = tracer.arriving(formula, point);
         let mut segments = 0;
         for (number, asked) in self.lights.iter_mut().enumerate() {
-            let arriving = |light: &PointLight| tracer.arriving(formula, &facing, point, light);
             let found = match &asked.same {
                 Some(light) => arriving(light),
-                None => tracer.light_of(number as u32, point).and_then(|light| arriving(&light)),
+                None => tracer.light_of(number as u32, samples, point).and_then(|light| arriving(&light)),
             };
             if let Some((incident, segment)) = found {
                 self.incidents[first + number] = incident;

@@ -1,8 +1,8 @@
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use geometry::{Hit, Ray, Surface};
-use glam::{DVec2, Vec2, Vec3};
-use shading::{Bounces, Color, Facing, Incident, LightFormula, PointLight, Shader, ShadingPoint, World};
+use glam::{DVec2, Vec3};
+use shading::{Bounces, Color, Incident, LazySurface, LightFormula, PointLight, Shader, ShadingPoint, World};
 
 use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings, camera_rays::Samples, lit::LitPoint};
 
@@ -54,11 +54,15 @@ impl<'a> Tracer<'a> {
     }
 
     /// What a ray sees where it meets something.
-    pub(crate) fn seen(&self, ray: &Ray, hit: &Hit) -> Seen<'a> {
+    pub(crate) fn seen<'r>(&self, ray: &'r Ray, hit: &'r Hit) -> Seen<'r>
+    where
+        'a: 'r,
+    {
         let length = ray.direction.length();
         Seen {
-            hit: *hit,
-            surface: self.scene.surface(ray, hit),
+            ray,
+            hit,
+            surface: OnceCell::new(),
             direction: ray.direction / length,
             distance: hit.t * length,
             shader: self.scene.shader(hit.primitive),
@@ -71,8 +75,8 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light that comes into the camera along a ray; `lit` is what the lights bring to what it sees, where that is known.
-    pub(crate) fn camera_color(&self, ray: &Ray, point: &Point<'_>, lit: Option<LitPoint<'_>>) -> Color {
-        RayTree { tracer: self, point, known: lit }.color(ray, &point.seen, self.scene.bounces)
+    pub(crate) fn camera_color(&self, samples: &Samples, point: &Point<'_>, lit: Option<LitPoint<'_>>) -> Color {
+        RayTree { tracer: self, samples, point, known: lit }.color(&point.seen, self.scene.bounces)
     }
 
     /// How many lights are asked at a point.
@@ -86,27 +90,26 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light that is asked in the given turn at what a camera ray sees.
-    pub(crate) fn light_of(&self, number: u32, point: &Point<'_>) -> Option<PointLight> {
-        self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || point.samples.of(point.ray))
+    pub(crate) fn light_of(&self, number: u32, samples: &Samples, point: &Point<'_>) -> Option<PointLight> {
+        self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || samples.of(point.ray))
     }
 
-    /// What a camera ray sees, made ready for a formula.
-    #[inline]
-    pub(crate) fn facing(&self, formula: LightFormula, point: &Point<'_>) -> Facing {
-        let tree = RayTree { tracer: self, point, known: None };
-        formula.facing(&tree.point(&point.seen, self.scene.bounces, &|| Vec2::ZERO))
-    }
-
-    /// What a light brings to what a camera ray sees, where nothing is in its way: see [`LightFormula::arriving`].
+    /// What a camera ray sees, made ready for a formula: what a light brings to it, where nothing is in its way. See [`LightFormula::arriving`].
     #[inline]
     pub(crate) fn arriving(
         &self,
         formula: LightFormula,
-        facing: &Facing,
         point: &Point<'_>,
-        light: &PointLight,
-    ) -> Option<(Incident, Ray)> {
-        formula.arriving(facing, &point.seen.surface, self.scene.ray_origin, light)
+    ) -> impl Fn(&PointLight) -> Option<(Incident, Ray)> {
+        let (surface, ray_origin) = (self.surface(&point.seen), self.scene.ray_origin);
+        let facing = formula.facing(surface, point.seen.direction, ray_origin);
+        move |light| formula.arriving(&facing, surface, ray_origin, light)
+    }
+
+    /// The surface that is seen.
+    #[inline]
+    pub(crate) fn surface<'s>(&self, seen: &'s Seen<'_>) -> &'s Surface {
+        seen.surface.get_or_init(|| self.scene.surface(seen.ray, seen.hit))
     }
 
     /// Whether something is in the way of each segment. They count when a shader asks.
@@ -123,16 +126,17 @@ impl<'a> Tracer<'a> {
 
 /// What a camera ray sees.
 pub(crate) struct Point<'a> {
-    /// The ray's number among those that are traced together, and which samples these are.
+    /// The ray's number among those that are traced together.
     pub(crate) ray: usize,
-    pub(crate) samples: &'a Samples,
     pub(crate) seen: Seen<'a>,
 }
 
 /// What a ray sees where it meets something.
 pub(crate) struct Seen<'a> {
-    hit: Hit,
-    surface: Surface,
+    ray: &'a Ray,
+    hit: &'a Hit,
+    /// Once it has been asked for.
+    surface: OnceCell<Surface>,
     /// As in [`ShadingPoint`].
     direction: Vec3,
     distance: f32,
@@ -142,6 +146,8 @@ pub(crate) struct Seen<'a> {
 /// All that is seen by one camera ray: the rays that come of it.
 struct RayTree<'a> {
     tracer: &'a Tracer<'a>,
+    /// Which samples the camera rays are.
+    samples: &'a Samples,
     /// What the camera ray sees, and what the lights bring there, where that is known.
     point: &'a Point<'a>,
     known: Option<LitPoint<'a>>,
@@ -149,28 +155,30 @@ struct RayTree<'a> {
 
 impl RayTree<'_> {
     /// The light that comes back along a ray from what it sees.
-    fn color(&self, ray: &Ray, seen: &Seen<'_>, bounces: Bounces) -> Color {
-        let scene = self.tracer.scene;
-        seen.shader.radiance(&self.point(seen, bounces, &|| scene.uv(ray, &seen.hit)))
+    fn color(&self, seen: &Seen<'_>, bounces: Bounces) -> Color {
+        self.at(seen, bounces, |at| seen.shader.radiance(at))
     }
 
-    fn point<'t>(&'t self, seen: &'t Seen<'_>, bounces: Bounces, uv: &'t dyn Fn() -> Vec2) -> ShadingPoint<'t> {
-        let &Seen { ref surface, direction, distance, .. } = seen;
-        ShadingPoint {
+    /// Asks at the point that a ray sees. What is asked for is computed then.
+    #[inline]
+    fn at<T>(&self, seen: &Seen<'_>, bounces: Bounces, ask: impl FnOnce(&ShadingPoint<'_>) -> T) -> T {
+        let scene = self.tracer.scene;
+        let (ray, hit) = (seen.ray, seen.hit);
+        ask(&ShadingPoint {
             world: self,
-            direction,
-            distance,
-            surface,
-            ray_origin: self.tracer.scene.ray_origin,
-            uv,
+            direction: seen.direction,
+            distance: seen.distance,
+            surface: LazySurface::new(&seen.surface, &|| scene.surface(ray, hit)),
+            ray_origin: scene.ray_origin,
+            uv: &|| scene.uv(ray, hit),
             bounces,
-        }
+        })
     }
 }
 
 impl World for RayTree<'_> {
     fn light(&self, number: u32, path: u32) -> Option<PointLight> {
-        self.tracer.lights.light(number, path, self.tracer.scene.sampler, || self.point.samples.of(self.point.ray))
+        self.tracer.lights.light(number, path, self.tracer.scene.sampler, || self.samples.of(self.point.ray))
     }
 
     fn ambient(&self) -> Option<f32> {
@@ -186,15 +194,19 @@ impl World for RayTree<'_> {
     fn trace(&self, ray: &Ray, bounces: Bounces) -> Color {
         self.tracer.count(|rays| rays.secondary += 1);
         let scene = self.tracer.scene;
-        scene
-            .closest(ray)
-            .map_or(scene.secondary_background, |hit| self.color(ray, &self.tracer.seen(ray, &hit), bounces))
+        let Some(hit) = scene.closest(ray) else { return scene.secondary_background };
+        let mut seen = self.tracer.seen(ray, &hit);
+        if !scene.lights.is_empty() {
+            // It will nearly always be looked at.
+            seen.surface = OnceCell::from(scene.surface(ray, &hit));
+        }
+        self.color(&seen, bounces)
     }
 
     fn lit(&self, at: &ShadingPoint<'_>, formula: LightFormula) -> Option<&[Incident]> {
         let (seen, lit) = (&self.point.seen, self.known.as_ref()?);
         let scene = self.tracer.scene;
-        let is_seen = std::ptr::eq(at.surface, &raw const seen.surface)
+        let is_seen = at.surface.is_kept_in(&seen.surface)
             && at.direction == seen.direction
             && at.bounces.path == scene.bounces.path
             && std::ptr::fn_addr_eq(at.ray_origin, scene.ray_origin)

@@ -14,6 +14,7 @@ mod color;
 #[cfg(feature = "conformance")]
 pub mod conformance;
 mod glass;
+mod lazy_surface;
 mod light;
 mod light_formula;
 mod matt;
@@ -29,6 +30,7 @@ mod world;
 pub use bounces::Bounces;
 pub use color::Color;
 pub use glass::{Absorption, Glass};
+pub use lazy_surface::LazySurface;
 pub use light::{Falloff, PointLight, SoftShadows, light_cluster, linear_falloff, logarithmic_falloff};
 pub use light_formula::{Facing, Incident, LightFormula};
 pub use matt::{Constant, Phong};

@@ -1,7 +1,10 @@
 use geometry::{Ray, RayOrigin, Surface};
 use glam::Vec3;
 
-use crate::{Color, PointLight, ShadingPoint};
+use crate::{
+    Color, PointLight,
+    shading_point::{normal, outward},
+};
 
 /// The light that arrives from one light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,13 +38,13 @@ pub enum LightFormula {
 }
 
 impl LightFormula {
-    /// The point, made ready.
+    /// A point of a surface that is seen along a direction, made ready.
     #[inline]
-    pub fn facing(self, at: &ShadingPoint<'_>) -> Facing {
-        let (normal, outward) = (at.normal(), at.outward());
+    pub fn facing(self, surface: &Surface, direction: Vec3, ray_origin: RayOrigin) -> Facing {
+        let (normal, outward) = (normal(surface, direction), outward(surface, direction));
         let position = match self {
-            Self::Report => at.surface.position,
-            Self::Sunflow => (at.ray_origin)(at.surface, outward.as_dvec3()),
+            Self::Report => surface.position,
+            Self::Sunflow => ray_origin(surface, outward.as_dvec3()),
         };
         Facing { position, normal, outward }
     }

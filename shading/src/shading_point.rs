@@ -1,7 +1,7 @@
 use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
-use crate::{Bounces, Color, Incident, LightFormula, World, optics};
+use crate::{Bounces, Color, Incident, LazySurface, LightFormula, World, optics};
 
 /// A point that is to be coloured, and what can be asked there.
 pub struct ShadingPoint<'a> {
@@ -11,8 +11,8 @@ pub struct ShadingPoint<'a> {
     pub direction: Vec3,
     /// How far it came, in the scene's units.
     pub distance: f32,
-    /// The surface as it is, whichever side is seen.
-    pub surface: &'a Surface,
+    /// The surface as it is, whichever side is seen: computed when it is looked at.
+    pub surface: LazySurface<'a>,
     /// Where rays that leave it start.
     pub ray_origin: RayOrigin,
     /// The texture coordinates: computed when asked for.
@@ -25,7 +25,7 @@ impl ShadingPoint<'_> {
     /// Whether the ray came from inside the body: it meets the back of the surface.
     #[inline]
     pub fn is_inside(&self) -> bool {
-        self.direction.dot(self.surface.geometric_normal) > 0.0
+        is_inside(&self.surface, self.direction)
     }
 
     /// The unit shading normal on the viewer's side.
@@ -33,17 +33,13 @@ impl ShadingPoint<'_> {
     /// Where a mesh's own normal leans away from its triangle's, that is on the triangle's viewer's side.
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        let &Surface { geometric_normal, shading_normal, .. } = self.surface;
-        let seen_from_front = !self.is_inside();
-        let on_the_front = shading_normal.dot(geometric_normal) >= 0.0;
-        if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
+        normal(&self.surface, self.direction)
     }
 
     /// The geometric normal on the viewer's side.
     #[inline]
     pub fn outward(&self) -> Vec3 {
-        let normal = self.surface.geometric_normal;
-        if self.is_inside() { -normal } else { normal }
+        outward(&self.surface, self.direction)
     }
 
     /// The lights that the point sees, with what arrives from each. Lights behind the surface are not seen, nor lights
@@ -56,10 +52,10 @@ impl ShadingPoint<'_> {
     pub fn lit_by(&self, formula: LightFormula) -> impl Iterator<Item = Incident> {
         let known = self.world.lit(self, formula);
         let asked = known.is_none().then(|| {
-            let facing = formula.facing(self);
+            let surface = &*self.surface;
+            let facing = formula.facing(surface, self.direction, self.ray_origin);
             let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
-            let arriving =
-                lights.filter_map(move |light| formula.arriving(&facing, self.surface, self.ray_origin, &light));
+            let arriving = lights.filter_map(move |light| formula.arriving(&facing, surface, self.ray_origin, &light));
             arriving.filter(|(_, segment)| !self.world.blocked(segment)).map(|(incident, _)| incident)
         });
         known.unwrap_or_default().iter().copied().chain(asked.into_iter().flatten())
@@ -85,13 +81,13 @@ impl ShadingPoint<'_> {
     /// A ray that leaves the surface in a direction.
     #[inline]
     pub fn ray_along(&self, direction: Vec3) -> Ray {
-        Ray::new((self.ray_origin)(self.surface, direction.as_dvec3()), direction)
+        Ray::new((self.ray_origin)(&self.surface, direction.as_dvec3()), direction)
     }
 
     /// A ray that leaves the surface and reaches `target` at `t = 1`.
     #[inline]
     pub fn ray_towards(&self, target: Vec3) -> Ray {
-        let origin = (self.ray_origin)(self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
+        let origin = (self.ray_origin)(&self.surface, target.as_dvec3() - self.surface.position.as_dvec3());
         Ray::new(origin, target - origin)
     }
 
@@ -103,4 +99,26 @@ impl ShadingPoint<'_> {
         let stays = mirrored.dot(geometric) * self.direction.dot(geometric) < 0.0;
         self.ray_along(if stays { mirrored } else { optics::reflect(self.direction, geometric) })
     }
+}
+
+/// See [`ShadingPoint::is_inside`].
+#[inline]
+pub(crate) fn is_inside(surface: &Surface, direction: Vec3) -> bool {
+    direction.dot(surface.geometric_normal) > 0.0
+}
+
+/// See [`ShadingPoint::normal`].
+#[inline]
+pub(crate) fn normal(surface: &Surface, direction: Vec3) -> Vec3 {
+    let &Surface { geometric_normal, shading_normal, .. } = surface;
+    let seen_from_front = !is_inside(surface, direction);
+    let on_the_front = shading_normal.dot(geometric_normal) >= 0.0;
+    if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
+}
+
+/// See [`ShadingPoint::outward`].
+#[inline]
+pub(crate) fn outward(surface: &Surface, direction: Vec3) -> Vec3 {
+    let normal = surface.geometric_normal;
+    if is_inside(surface, direction) { -normal } else { normal }
 }

@@ -1,5 +1,6 @@
 //! The image is a function of the scene and the settings alone.
 
+use std::cell::OnceCell;
 use std::num::NonZeroUsize;
 
 use accel::Accelerator;
@@ -8,7 +9,7 @@ use geometry::{Hit, Interval, Primitives, Ray, Surface};
 use glam::Vec3;
 use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, Shaders, render};
 use scene_format::scene_file::BucketOrder;
-use shading::{Bounces, Color, LightFormula, Shader, ShadingPoint, SoftShadows};
+use shading::{Bounces, Color, LazySurface, LightFormula, Shader, ShadingPoint, SoftShadows};
 use tests::Rendering;
 
 /// A textured one with meshes, one of glass and mirrors, one with depth of field, one with soft shadows.
@@ -155,7 +156,7 @@ const CHANGES: [(&str, Change); 8] = [
     ("another surface", |at, light| {
         let surface =
             Surface { shading_normal: (at.surface.shading_normal + 0.3 * Vec3::X).normalize(), ..*at.surface };
-        light(&ShadingPoint { surface: &surface, ..*at })
+        light(&ShadingPoint { surface: LazySurface::new(&OnceCell::new(), &|| surface), ..*at })
     }),
     ("the other side", |at, light| light(&ShadingPoint { direction: -at.direction, ..*at })),
     ("another path", |at, light| light(&ShadingPoint { bounces: Bounces { path: 9, ..at.bounces }, ..*at })),

@@ -1,10 +1,10 @@
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 
 use geometry::conformance::{Counterexample, Figure, Ink, Verdict};
 use geometry::{Interval, Primitive, Ray, Sphere, Surface};
 use glam::{DVec3, Vec2, Vec3};
 
-use crate::{Bounces, Color, PointLight, Shader, ShadingPoint, World};
+use crate::{Bounces, Color, LazySurface, PointLight, Shader, ShadingPoint, World};
 
 /// A point to be shaded and the little world around it: a case of a shader's laws.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +107,7 @@ impl Stage {
             world: &world,
             direction: self.direction,
             distance: self.distance,
-            surface: &self.surface,
+            surface: LazySurface::new(&OnceCell::new(), &|| self.surface),
             ray_origin: Surface::origin_towards,
             uv: &|| self.uv,
             bounces: self.bounces,

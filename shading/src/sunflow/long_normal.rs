@@ -1,6 +1,8 @@
+use std::cell::OnceCell;
+
 use geometry::Surface;
 
-use crate::{Color, Shader, ShadingPoint};
+use crate::{Color, LazySurface, Shader, ShadingPoint};
 
 /// A shader for a surface whose normals have another length than 1: Sunflow takes a plane's normal as it is written and as transforms
 /// leave it, so that one twice as long is lit twice as brightly, and a mirror turns rays too far.
@@ -13,13 +15,15 @@ pub struct LongNormal {
 
 impl Shader for LongNormal {
     fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
-        let &Surface { geometric_normal, shading_normal, .. } = at.surface;
-        let surface = Surface {
-            geometric_normal: geometric_normal * self.length,
-            shading_normal: shading_normal * self.length,
-            ..*at.surface
+        let surface = || {
+            let Surface { geometric_normal, shading_normal, .. } = *at.surface;
+            Surface {
+                geometric_normal: geometric_normal * self.length,
+                shading_normal: shading_normal * self.length,
+                ..*at.surface
+            }
         };
-        self.shader.radiance(&ShadingPoint { surface: &surface, ..*at })
+        self.shader.radiance(&ShadingPoint { surface: LazySurface::new(&OnceCell::new(), &surface), ..*at })
     }
 
     fn casts_shadow(&self) -> bool {

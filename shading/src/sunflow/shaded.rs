@@ -1,7 +1,10 @@
 use geometry::Ray;
 use glam::Vec3;
 
-use crate::{Color, Incident, LightFormula, ShadingPoint};
+use crate::{
+    Color, Incident, LightFormula, ShadingPoint,
+    shading_point::{normal, outward},
+};
 
 /// A point as Sunflow's shaders have it: turned to the viewer, and off the surface already, where the rays start.
 ///
@@ -18,14 +21,14 @@ pub(super) struct Shaded<'a> {
 
 impl<'a> Shaded<'a> {
     pub(super) fn new(at: &'a ShadingPoint<'a>) -> Self {
-        let outward = at.outward();
-        let normal = at.normal();
+        let surface = &*at.surface;
+        let (normal, outward) = (normal(surface, at.direction), outward(surface, at.direction));
         Self { at, normal, outward, cosine: (-at.direction.dot(normal)).max(0.0) }
     }
 
     /// What shadow rays and mirrored rays start at.
     fn point(&self) -> Vec3 {
-        (self.at.ray_origin)(self.at.surface, self.outward.as_dvec3())
+        (self.at.ray_origin)(&self.at.surface, self.outward.as_dvec3())
     }
 
     /// The direction in which a mirror sends the ray, `2 (v.n) n - v`: along the ray itself where the shading normal leans away from
@@ -43,7 +46,7 @@ impl<'a> Shaded<'a> {
     /// The light that comes from `direction` on the far side; black when the ray has been refracted often enough.
     pub(super) fn refracted(&self, direction: Vec3) -> Color {
         let Some(bounces) = self.at.bounces.refracted() else { return Color::BLACK };
-        let point = (self.at.ray_origin)(self.at.surface, -self.outward.as_dvec3());
+        let point = (self.at.ray_origin)(&self.at.surface, -self.outward.as_dvec3());
         self.at.world.trace(&Ray::new(point, direction.normalize()), bounces)
     }
 
