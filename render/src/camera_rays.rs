@@ -1,13 +1,14 @@
+use std::cell::OnceCell;
 use std::ops::Range;
 
-use geometry::{Hit, Ray};
+use geometry::{Hit, Ray, Surface};
 use glam::DVec2;
 use shading::Color;
 
 use crate::{
     LostRays, RayCounts, Sample, Scene, Settings,
     lit::Lit,
-    tracer::{Point, Tracer},
+    tracer::{Point, Sight, Tracer},
 };
 
 /// So many rays are traced together: several times sixteen, so that those without a hit or light leave few gaps.
@@ -112,6 +113,14 @@ impl<'a> CameraRays<'a> {
 
     /// Tells of all rays that have been asked for and not yet told.
     pub(crate) fn tell(&mut self, told: &mut impl FnMut(usize, Color)) {
+        if self.tracer.has_lights() {
+            self.tell_of::<Surface>(told);
+        } else {
+            self.tell_of::<OnceCell<Surface>>(told);
+        }
+    }
+
+    fn tell_of<S: Sight>(&mut self, told: &mut impl FnMut(usize, Color)) {
         let Self { tracer, lost, samples, rays, lit, .. } = self;
         let hits = &mut self.hits[..rays.len()];
         tracer.camera_hits(rays, hits);
@@ -119,7 +128,7 @@ impl<'a> CameraRays<'a> {
         let mut points = Vec::with_capacity(rays.len());
         for (number, (ray, hit)) in rays.iter().zip(&*hits).enumerate() {
             if let Some(hit) = hit {
-                points.push(Point { ray: number, seen: tracer.seen(ray, hit) });
+                points.push(Point::<S> { ray: number, seen: tracer.seen(ray, hit) });
             }
         }
         lit.ask(tracer, samples, &points);

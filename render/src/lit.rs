@@ -4,7 +4,7 @@ use shading::{Color, Incident, LightFormula, PointLight};
 
 use crate::{
     camera_rays::Samples,
-    tracer::{Point, Tracer},
+    tracer::{Point, Sight, Tracer},
 };
 
 /// What the lights bring to what camera rays see: asked light by light, for many points together.
@@ -67,16 +67,12 @@ impl Lit {
     }
 
     /// Forgets what was asked before, and asks for those of the points whose shaders ask lights.
-    pub(crate) fn ask(&mut self, tracer: &Tracer<'_>, samples: &Samples, points: &[Point<'_>]) {
+    pub(crate) fn ask<S: Sight>(&mut self, tracer: &Tracer<'_>, samples: &Samples, points: &[Point<'_, S>]) {
         self.found.clear();
         if self.lights.is_empty() {
             return;
         }
         self.incidents.resize(points.len() * self.lights.len(), NOTHING);
-        // All surfaces first: one that is read at once is still on its way to memory.
-        points.iter().filter(|point| point.seen.shader.asks_lights().is_some()).for_each(|point| {
-            tracer.surface(&point.seen);
-        });
         for (place, point) in points.iter().enumerate() {
             let formula = point.seen.shader.asks_lights();
             let segments = formula.map_or(0, |formula| self.ask_for(place, point, formula, tracer, samples));
@@ -88,16 +84,16 @@ impl Lit {
     }
 
     /// Asks all lights for a point; returns how many of them may reach it.
-    fn ask_for(
+    fn ask_for<S: Sight>(
         &mut self,
         place: usize,
-        point: &Point<'_>,
+        point: &Point<'_, S>,
         formula: LightFormula,
         tracer: &Tracer<'_>,
         samples: &Samples,
     ) -> usize {
         let first = place * self.lights.len();
-        let arriving = tracer.arriving(formula, point);
+        let Some(arriving) = tracer.arriving(formula, &point.seen) else { return 0 };
         let mut segments = 0;
         for (number, asked) in self.lights.iter_mut().enumerate() {
             let found = match &asked.same {

@@ -54,7 +54,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// What a ray sees where it meets something.
-    pub(crate) fn seen<'r>(&self, ray: &'r Ray, hit: &'r Hit) -> Seen<'r>
+    pub(crate) fn seen<'r, S: Sight>(&self, ray: &'r Ray, hit: &'r Hit) -> Seen<'r, S>
     where
         'a: 'r,
     {
@@ -62,11 +62,16 @@ impl<'a> Tracer<'a> {
         Seen {
             ray,
             hit,
-            surface: OnceCell::new(),
+            surface: S::of(self.scene, ray, hit),
             direction: ray.direction / length,
             distance: hit.t * length,
             shader: self.scene.shader(hit.primitive),
         }
+    }
+
+    /// Whether the scene has any.
+    pub(crate) fn has_lights(&self) -> bool {
+        !self.scene.lights.is_empty()
     }
 
     /// What camera rays see that meet nothing.
@@ -75,7 +80,12 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light that comes into the camera along a ray; `lit` is what the lights bring to what it sees, where that is known.
-    pub(crate) fn camera_color(&self, samples: &Samples, point: &Point<'_>, lit: Option<LitPoint<'_>>) -> Color {
+    pub(crate) fn camera_color<S: Sight>(
+        &self,
+        samples: &Samples,
+        point: &Point<'_, S>,
+        lit: Option<LitPoint<'_>>,
+    ) -> Color {
         RayTree { tracer: self, samples, point, known: lit }.color(&point.seen, self.scene.bounces)
     }
 
@@ -90,26 +100,20 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light that is asked in the given turn at what a camera ray sees.
-    pub(crate) fn light_of(&self, number: u32, samples: &Samples, point: &Point<'_>) -> Option<PointLight> {
+    pub(crate) fn light_of<S>(&self, number: u32, samples: &Samples, point: &Point<'_, S>) -> Option<PointLight> {
         self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || samples.of(point.ray))
     }
 
     /// What a camera ray sees, made ready for a formula: what a light brings to it, where nothing is in its way. See [`LightFormula::arriving`].
     #[inline]
-    pub(crate) fn arriving(
+    pub(crate) fn arriving<S: Sight>(
         &self,
         formula: LightFormula,
-        point: &Point<'_>,
-    ) -> impl Fn(&PointLight) -> Option<(Incident, Ray)> {
-        let (surface, ray_origin) = (self.surface(&point.seen), self.scene.ray_origin);
-        let facing = formula.facing(surface, point.seen.direction, ray_origin);
-        move |light| formula.arriving(&facing, surface, ray_origin, light)
-    }
-
-    /// The surface that is seen.
-    #[inline]
-    pub(crate) fn surface<'s>(&self, seen: &'s Seen<'_>) -> &'s Surface {
-        seen.surface.get_or_init(|| self.scene.surface(seen.ray, seen.hit))
+        seen: &Seen<'_, S>,
+    ) -> Option<impl Fn(&PointLight) -> Option<(Incident, Ray)>> {
+        let (surface, ray_origin) = (seen.surface.known()?, self.scene.ray_origin);
+        let facing = formula.facing(surface, seen.direction, ray_origin);
+        Some(move |light: &PointLight| formula.arriving(&facing, surface, ray_origin, light))
     }
 
     /// Whether something is in the way of each segment. They count when a shader asks.
@@ -125,50 +129,89 @@ impl<'a> Tracer<'a> {
 }
 
 /// What a camera ray sees.
-pub(crate) struct Point<'a> {
+pub(crate) struct Point<'a, S> {
     /// The ray's number among those that are traced together.
     pub(crate) ray: usize,
-    pub(crate) seen: Seen<'a>,
+    pub(crate) seen: Seen<'a, S>,
 }
 
 /// What a ray sees where it meets something.
-pub(crate) struct Seen<'a> {
+pub(crate) struct Seen<'a, S> {
     ray: &'a Ray,
     hit: &'a Hit,
-    /// Once it has been asked for.
-    surface: OnceCell<Surface>,
+    surface: S,
     /// As in [`ShadingPoint`].
     direction: Vec3,
     distance: f32,
     pub(crate) shader: &'a dyn Shader,
 }
 
+/// The surface that a ray sees: known, or to be computed when it is looked at.
+///
+/// In a scene with lights nearly every shader looks at it, so it is known from the start: a [`Surface`]. Without lights many show one colour
+/// everywhere, so it is an [`OnceCell`].
+pub(crate) trait Sight {
+    fn of(scene: &Scene, ray: &Ray, hit: &Hit) -> Self;
+
+    fn known(&self) -> Option<&Surface>;
+
+    fn lazy<'t>(&'t self, compute: &'t dyn Fn() -> Surface) -> LazySurface<'t>;
+}
+
+impl Sight for Surface {
+    #[inline]
+    fn of(scene: &Scene, ray: &Ray, hit: &Hit) -> Self {
+        scene.surface(ray, hit)
+    }
+
+    #[inline]
+    fn known(&self) -> Option<&Surface> {
+        Some(self)
+    }
+
+    #[inline]
+    fn lazy<'t>(&'t self, _compute: &'t dyn Fn() -> Surface) -> LazySurface<'t> {
+        LazySurface::Known(self)
+    }
+}
+
+impl Sight for OnceCell<Surface> {
+    #[inline]
+    fn of(_scene: &Scene, _ray: &Ray, _hit: &Hit) -> Self {
+        Self::new()
+    }
+
+    #[inline]
+    fn known(&self) -> Option<&Surface> {
+        self.get()
+    }
+
+    #[inline]
+    fn lazy<'t>(&'t self, compute: &'t dyn Fn() -> Surface) -> LazySurface<'t> {
+        LazySurface::Asked { known: self, compute }
+    }
+}
+
 /// All that is seen by one camera ray: the rays that come of it.
-struct RayTree<'a> {
+struct RayTree<'a, S> {
     tracer: &'a Tracer<'a>,
     /// Which samples the camera rays are.
     samples: &'a Samples,
     /// What the camera ray sees, and what the lights bring there, where that is known.
-    point: &'a Point<'a>,
+    point: &'a Point<'a, S>,
     known: Option<LitPoint<'a>>,
 }
 
-impl RayTree<'_> {
+impl<S: Sight> RayTree<'_, S> {
     /// The light that comes back along a ray from what it sees.
-    fn color(&self, seen: &Seen<'_>, bounces: Bounces) -> Color {
-        self.at(seen, bounces, |at| seen.shader.radiance(at))
-    }
-
-    /// Asks at the point that a ray sees. What is asked for is computed then.
-    #[inline]
-    fn at<T>(&self, seen: &Seen<'_>, bounces: Bounces, ask: impl FnOnce(&ShadingPoint<'_>) -> T) -> T {
+    fn color(&self, seen: &Seen<'_, S>, bounces: Bounces) -> Color {
         let scene = self.tracer.scene;
         let (ray, hit) = (seen.ray, seen.hit);
-        ask(&ShadingPoint {
+        seen.shader.radiance(&ShadingPoint {
             world: self,
             direction: seen.direction,
             distance: seen.distance,
-            surface: LazySurface::new(&seen.surface, &|| scene.surface(ray, hit)),
+            surface: seen.surface.lazy(&|| scene.surface(ray, hit)),
             ray_origin: scene.ray_origin,
             uv: &|| scene.uv(ray, hit),
             bounces,
@@ -176,7 +219,7 @@ impl RayTree<'_> {
     }
 }
 
-impl World for RayTree<'_> {
+impl<S: Sight> World for RayTree<'_, S> {
     fn light(&self, number: u32, path: u32) -> Option<PointLight> {
         self.tracer.lights.light(number, path, self.tracer.scene.sampler, || self.samples.of(self.point.ray))
     }
@@ -195,18 +238,13 @@ impl World for RayTree<'_> {
         self.tracer.count(|rays| rays.secondary += 1);
         let scene = self.tracer.scene;
         let Some(hit) = scene.closest(ray) else { return scene.secondary_background };
-        let mut seen = self.tracer.seen(ray, &hit);
-        if !scene.lights.is_empty() {
-            // It will nearly always be looked at.
-            seen.surface = OnceCell::from(scene.surface(ray, &hit));
-        }
-        self.color(&seen, bounces)
+        self.color(&self.tracer.seen(ray, &hit), bounces)
     }
 
     fn lit(&self, at: &ShadingPoint<'_>, formula: LightFormula) -> Option<&[Incident]> {
         let (seen, lit) = (&self.point.seen, self.known.as_ref()?);
         let scene = self.tracer.scene;
-        let is_seen = at.surface.is_kept_in(&seen.surface)
+        let is_seen = seen.surface.known().is_some_and(|surface| at.surface.is(surface))
             && at.direction == seen.direction
             && at.bounces.path == scene.bounces.path
             && std::ptr::fn_addr_eq(at.ray_origin, scene.ray_origin)

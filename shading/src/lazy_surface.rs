@@ -3,7 +3,7 @@ use std::ops::Deref;
 
 use geometry::Surface;
 
-/// A surface that is computed when it is first looked at: a shader that shows the same colour everywhere need not know where it is.
+/// A surface that may be computed only when it is first looked at: a shader that shows the same colour everywhere need not know where it is.
 ///
 /// ```
 /// # use std::cell::OnceCell;
@@ -11,26 +11,29 @@ use geometry::Surface;
 /// # use glam::Vec3;
 /// # use shading::LazySurface;
 /// let (known, compute) = (OnceCell::new(), || Surface::rounded(Vec3::ONE, 1.0, Vec3::Z));
-/// let surface = LazySurface::new(&known, &compute);
+/// let surface = LazySurface::Asked { known: &known, compute: &compute };
 /// assert_eq!(known.get(), None);
 /// assert_eq!(surface.position, Vec3::ONE);
 /// assert_eq!(known.get(), Some(&compute()));
 /// ```
 #[derive(Clone, Copy)]
-pub struct LazySurface<'a> {
-    known: &'a OnceCell<Surface>,
-    compute: &'a dyn Fn() -> Surface,
+pub enum LazySurface<'a> {
+    /// It is there.
+    Known(&'a Surface),
+    /// It is computed, once.
+    Asked {
+        /// Where it is kept then.
+        known: &'a OnceCell<Surface>,
+        /// What computes it.
+        compute: &'a dyn Fn() -> Surface,
+    },
 }
 
-impl<'a> LazySurface<'a> {
-    /// What is kept in `known`, or else computed, and then kept there.
-    pub fn new(known: &'a OnceCell<Surface>, compute: &'a dyn Fn() -> Surface) -> Self {
-        Self { known, compute }
-    }
-
-    /// Whether it is kept in this place: not another surface, be it equal.
-    pub fn is_kept_in(&self, place: &OnceCell<Surface>) -> bool {
-        std::ptr::eq(self.known, place)
+impl LazySurface<'_> {
+    /// Whether it is this very one: not another, be it equal.
+    #[inline]
+    pub fn is(&self, surface: &Surface) -> bool {
+        matches!(self, Self::Known(known) if std::ptr::eq(*known, surface))
     }
 }
 
@@ -39,6 +42,9 @@ impl Deref for LazySurface<'_> {
 
     #[inline]
     fn deref(&self) -> &Surface {
-        self.known.get_or_init(self.compute)
+        match self {
+            Self::Known(surface) => surface,
+            Self::Asked { known, compute } => known.get_or_init(compute),
+        }
     }
 }

@@ -49,6 +49,7 @@ impl ShadingPoint<'_> {
     }
 
     /// As [`Self::lit`], by another formula.
+    #[inline]
     pub fn lit_by(&self, formula: LightFormula) -> impl Iterator<Item = Incident> {
         let known = self.world.lit(self, formula);
         let asked = known.is_none().then(|| {

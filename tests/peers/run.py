@@ -35,7 +35,6 @@ CONTRASTS = (0.003, 0.3)
 EVEN = ("2", "4", "8", "16", "32", "64")
 
 
-
 def main():
     arguments = read_arguments()
     for package, tool in [("libsunflow-java", JARS[0]), ("default-jdk-headless", "javac"), ("povray", "povray")]:

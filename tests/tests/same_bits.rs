@@ -1,6 +1,5 @@
 //! The image is a function of the scene and the settings alone.
 
-use std::cell::OnceCell;
 use std::num::NonZeroUsize;
 
 use accel::Accelerator;
@@ -156,7 +155,7 @@ const CHANGES: [(&str, Change); 8] = [
     ("another surface", |at, light| {
         let surface =
             Surface { shading_normal: (at.surface.shading_normal + 0.3 * Vec3::X).normalize(), ..*at.surface };
-        light(&ShadingPoint { surface: LazySurface::new(&OnceCell::new(), &|| surface), ..*at })
+        light(&ShadingPoint { surface: LazySurface::Known(&surface), ..*at })
     }),
     ("the other side", |at, light| light(&ShadingPoint { direction: -at.direction, ..*at })),
     ("another path", |at, light| light(&ShadingPoint { bounces: Bounces { path: 9, ..at.bounces }, ..*at })),

@@ -1,4 +1,4 @@
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 
 use geometry::conformance::{Counterexample, Figure, Ink, Verdict};
 use geometry::{Interval, Primitive, Ray, Sphere, Surface};
@@ -107,7 +107,7 @@ impl Stage {
             world: &world,
             direction: self.direction,
             distance: self.distance,
-            surface: LazySurface::new(&OnceCell::new(), &|| self.surface),
+            surface: LazySurface::Known(&self.surface),
             ray_origin: Surface::origin_towards,
             uv: &|| self.uv,
             bounces: self.bounces,

@@ -15,7 +15,8 @@ pub struct LongNormal {
 
 impl Shader for LongNormal {
     fn radiance(&self, at: &ShadingPoint<'_>) -> Color {
-        let surface = || {
+        let known = OnceCell::new();
+        let compute = || {
             let Surface { geometric_normal, shading_normal, .. } = *at.surface;
             Surface {
                 geometric_normal: geometric_normal * self.length,
@@ -23,7 +24,8 @@ impl Shader for LongNormal {
                 ..*at.surface
             }
         };
-        self.shader.radiance(&ShadingPoint { surface: LazySurface::new(&OnceCell::new(), &surface), ..*at })
+        let surface = LazySurface::Asked { known: &known, compute: &compute };
+        self.shader.radiance(&ShadingPoint { surface, ..*at })
     }
 
     fn casts_shadow(&self) -> bool {

@@ -20,6 +20,7 @@ pub(super) struct Shaded<'a> {
 }
 
 impl<'a> Shaded<'a> {
+    #[inline]
     pub(super) fn new(at: &'a ShadingPoint<'a>) -> Self {
         let surface = &*at.surface;
         let (normal, outward) = (normal(surface, at.direction), outward(surface, at.direction));
