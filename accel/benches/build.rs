@@ -6,8 +6,9 @@
 //! ```
 //!
 //! The mesh is the bumpy knot of the bench against peers, finer and finer; and its fence, whose thin triangles stand in pieces. Times are the
-//! least of some rounds, so that they hold on a busy machine; `ns per n log n` is the time on one thread over the triangles and their logarithm: it does not grow. Bytes are what the
-//! accelerator takes beside the primitives themselves, counted by the allocator. The bench against peers has Embree's time to build.
+//! least of some rounds, so that they hold on a busy machine; `ns per n log n` is the time on one thread over the triangles and their
+//! logarithm: it does not grow. Bytes are what the accelerator takes beside the primitives themselves, counted by the allocator. The bench
+//! against peers has Embree's time to build.
 #![allow(clippy::print_stdout, missing_docs, unreachable_pub)]
 
 #[allow(dead_code)]

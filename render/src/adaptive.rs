@@ -137,6 +137,7 @@ fn neighbours<T>([x, y]: [u32; 2], area: Crop, pixels: &[T]) -> impl Iterator<It
 /// The standard deviation of what is seen of pixels' first rays, in the channel where it is largest; 0 if there are none, or all are NaN.
 fn deviation<'a>(pixels: impl Iterator<Item = &'a FirstRays>, rays_each: u32) -> f64 {
     let (mut count, mut sums, mut squares) = (0.0, [0.0; 3], [0.0; 3]);
+    // Not a `for` loop, which would ask at each pixel whether its row has ended.
     pixels.for_each(|pixel| {
         count += f64::from(rays_each);
         for channel in 0..3 {

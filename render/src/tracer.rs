@@ -69,7 +69,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Whether the scene has any.
+    /// Whether the scene has lights.
     pub(crate) fn has_lights(&self) -> bool {
         !self.scene.lights.is_empty()
     }
@@ -105,6 +105,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// What a camera ray sees, made ready for a formula: what a light brings to it, where nothing is in its way. See [`LightFormula::arriving`].
+    /// `None` where the surface is not known, which it is in scenes with lights.
     #[inline]
     pub(crate) fn arriving<S: Sight>(
         &self,
@@ -149,12 +150,15 @@ pub(crate) struct Seen<'a, S> {
 /// The surface that a ray sees: known, or to be computed when it is looked at.
 ///
 /// In a scene with lights nearly every shader looks at it, so it is known from the start: a [`Surface`]. Without lights many show one colour
-/// everywhere, so it is an [`OnceCell`].
+/// everywhere, so it is a [`OnceCell`].
 pub(crate) trait Sight {
+    /// At a hit.
     fn of(scene: &Scene, ray: &Ray, hit: &Hit) -> Self;
 
+    /// The surface, if it has been computed.
     fn known(&self) -> Option<&Surface>;
 
+    /// As a shader sees it.
     fn lazy<'t>(&'t self, compute: &'t dyn Fn() -> Surface) -> LazySurface<'t>;
 }
 

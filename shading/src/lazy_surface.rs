@@ -33,7 +33,11 @@ impl LazySurface<'_> {
     /// Whether it is this very one: not another, be it equal.
     #[inline]
     pub fn is(&self, surface: &Surface) -> bool {
-        matches!(self, Self::Known(known) if std::ptr::eq(*known, surface))
+        let own = match self {
+            Self::Known(known) => Some(*known),
+            Self::Asked { known, .. } => known.get(),
+        };
+        own.is_some_and(|own| std::ptr::eq(own, surface))
     }
 }
 

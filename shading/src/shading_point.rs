@@ -104,7 +104,7 @@ impl ShadingPoint<'_> {
 
 /// See [`ShadingPoint::is_inside`].
 #[inline]
-pub(crate) fn is_inside(surface: &Surface, direction: Vec3) -> bool {
+fn is_inside(surface: &Surface, direction: Vec3) -> bool {
     direction.dot(surface.geometric_normal) > 0.0
 }
 

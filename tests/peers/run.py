@@ -28,7 +28,8 @@ JARS = ["/usr/share/java/sunflow.jar", "/usr/share/java/janino.jar"]
 AIMS = {"Sunflow": (8, 12), "POV-Ray": (5, 5), "Sunflow at equal error": (8, 8)}
 # How far girasol's and POV-Ray's pictures may be apart, as RMSE: edges are, for Sunflow's camera is half a pixel off centre.
 LIKENESS = 0.03
-# How many rays girasol's adaptive pictures give a pixel, least and most; and between which contrasts the one that is just good enough is looked for.
+# How many rays girasol's adaptive pictures give a pixel, least and most, as `--aa` has it; and between which contrasts the one that is just good
+# enough is looked for.
 ADAPTIVE = ("0,2", "0,4", "1,4")
 CONTRASTS = (0.003, 0.3)
 # Rays in every pixel, where all have as many.
