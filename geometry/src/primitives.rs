@@ -159,20 +159,18 @@ impl Primitives {
     /// The surface at a hit that [`Self::intersect`] has found for the same ray; a mesh's own normals are interpolated.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let at = hit.intersection();
-        let surface = match self.numbered[hit.primitive as usize] {
+        let mut surface = match self.numbered[hit.primitive as usize] {
             Number::Triangle(index) => self.shapes.triangles[index as usize].surface(ray, &at),
             Number::Sphere(index) => self.shapes.spheres[index as usize].surface(ray, &at),
             Number::Ellipsoid(index) => {
                 self.shapes.ellipsoids[index as usize].surface_by(ray, &at, |map| self.kernels.matrix_of_normals(map))
             }
         };
-        let shading_normal = self
-            .mesh_corners(hit.primitive, |mesh| &mesh.normals)
-            .and_then(|normals| self.kernels.normal_between(normals, at.u, at.v));
-        match shading_normal {
-            Some(shading_normal) => Surface { shading_normal, ..surface },
-            None => surface,
+        let normals = self.mesh_corners(hit.primitive, |mesh| &mesh.normals);
+        if let Some(normal) = normals.and_then(|normals| self.kernels.normal_between(normals, at.u, at.v)) {
+            surface.shading_normal = normal;
         }
+        surface
     }
 
     /// The texture coordinates at a hit; a mesh's own are interpolated.

@@ -63,11 +63,14 @@ impl Surface {
     /// ```
     pub fn origin_towards(&self, direction: DVec3) -> Vec3 {
         let normal = self.geometric_normal;
-        let outward = if direction.dot(normal.as_dvec3()) < 0.0 { -normal } else { normal };
+        // Whether their dot product is below 0, but for its last sum: with it the compiler would load the direction in pieces other than those
+        // in which it has just been stored, and the processor would wait.
+        let along = direction * normal.as_dvec3();
+        let is_inward = along.x + along.y < -along.z;
         // Half of the error, which is doubled, is that of the point; the other half covers the rounding of what is returned, but for
         // its last bits, and for a point at the origin of space, which has no error.
         let height = normal.abs().dot(self.error) * (1.0 + 8.0 * UNIT_ROUNDOFF) + f32::MIN_POSITIVE;
-        self.position + outward * height
+        self.position + normal * if is_inward { -height } else { height }
     }
 }
 

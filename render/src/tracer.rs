@@ -2,7 +2,7 @@ use std::cell::{Cell, OnceCell};
 
 use geometry::{Hit, Ray, Surface};
 use glam::{DVec2, Vec3};
-use shading::{Bounces, Color, Incident, LazySurface, LightFormula, PointLight, Shader, ShadingPoint, World};
+use shading::{Bounces, Color, Facing, Incident, LazySurface, LightFormula, PointLight, Shader, ShadingPoint, World};
 
 use crate::{LightPlan, Purpose, RayCounts, Sample, Scene, Settings, camera_rays::Samples, lit::LitPoint};
 
@@ -54,6 +54,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// What a ray sees where it meets something.
+    #[inline(always)]
     pub(crate) fn seen<'r, S: Sight>(&self, ray: &'r Ray, hit: &'r Hit) -> Seen<'r, S>
     where
         'a: 'r,
@@ -104,17 +105,12 @@ impl<'a> Tracer<'a> {
         self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || samples.of(point.ray))
     }
 
-    /// What a camera ray sees, made ready for a formula: what a light brings to it, where nothing is in its way. See [`LightFormula::arriving`].
-    /// `None` where the surface is not known, which it is in scenes with lights.
+    /// What a camera ray sees, made ready for a formula. `None` where the surface is not known, which it is in scenes with lights.
     #[inline]
-    pub(crate) fn arriving<S: Sight>(
-        &self,
-        formula: LightFormula,
-        seen: &Seen<'_, S>,
-    ) -> Option<impl Fn(&PointLight) -> Option<(Incident, Ray)>> {
-        let (surface, ray_origin) = (seen.surface.known()?, self.scene.ray_origin);
-        let facing = formula.facing(surface, seen.direction, ray_origin);
-        Some(move |light: &PointLight| formula.arriving(&facing, surface, ray_origin, light))
+    pub(crate) fn facing<S: Sight>(&self, formula: LightFormula, seen: &Seen<'_, S>, add: impl FnOnce(Facing)) {
+        if let Some(surface) = seen.surface.known() {
+            add(formula.facing(surface, seen.direction, self.scene.ray_origin));
+        }
     }
 
     /// Whether something is in the way of each segment. They count when a shader asks.

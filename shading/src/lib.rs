@@ -32,7 +32,7 @@ pub use color::Color;
 pub use glass::{Absorption, Glass};
 pub use lazy_surface::LazySurface;
 pub use light::{Falloff, PointLight, SoftShadows, light_cluster, linear_falloff, logarithmic_falloff};
-pub use light_formula::{Facing, Incident, LightFormula};
+pub use light_formula::{Facing, FacingLanes, Incident, LightFormula};
 pub use matt::{Constant, Phong};
 pub use mirror::Mirror;
 pub use shader::Shader;

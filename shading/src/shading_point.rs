@@ -1,7 +1,7 @@
 use geometry::{Ray, RayOrigin, Surface};
 use glam::{Vec2, Vec3};
 
-use crate::{Bounces, Color, Incident, LazySurface, LightFormula, World, optics};
+use crate::{Bounces, Color, Facing, Incident, LazySurface, LightFormula, World, optics};
 
 /// A point that is to be coloured, and what can be asked there.
 pub struct ShadingPoint<'a> {
@@ -51,15 +51,34 @@ impl ShadingPoint<'_> {
     /// As [`Self::lit`], by another formula.
     #[inline]
     pub fn lit_by(&self, formula: LightFormula) -> impl Iterator<Item = Incident> {
-        let known = self.world.lit(self, formula);
-        let asked = known.is_none().then(|| {
-            let surface = &*self.surface;
-            let facing = formula.facing(surface, self.direction, self.ray_origin);
-            let lights = (0..).map_while(|number| self.world.light(number, self.bounces.path));
-            let arriving = lights.filter_map(move |light| formula.arriving(&facing, surface, self.ray_origin, &light));
-            arriving.filter(|(_, segment)| !self.world.blocked(segment)).map(|(incident, _)| incident)
-        });
-        known.unwrap_or_default().iter().copied().chain(asked.into_iter().flatten())
+        let mut known = self.world.lit(self, formula).map(<[Incident]>::iter);
+        let facing = known.is_none().then(|| self.facing(formula));
+        let mut number = 0;
+        std::iter::from_fn(move || match (&mut known, &facing) {
+            (Some(known), _) => known.next().copied(),
+            (None, facing) => {
+                // Taken apart, for else what is known is written to memory as well, and read from there again.
+                let Incident { direction, cosine, color } = self.next_lit(formula, facing.as_ref()?, &mut number)?;
+                Some(Incident { direction, cosine, color })
+            }
+        })
+    }
+
+    fn facing(&self, formula: LightFormula) -> Facing {
+        formula.facing(&self.surface, self.direction, self.ray_origin)
+    }
+
+    /// What arrives from the next light that the point sees, from a number on.
+    fn next_lit(&self, formula: LightFormula, facing: &Facing, number: &mut u32) -> Option<Incident> {
+        loop {
+            let light = self.world.light(*number, self.bounces.path)?;
+            *number += 1;
+            if let Some((incident, segment)) = formula.arriving(facing, &light)
+                && !self.world.blocked(&segment)
+            {
+                return Some(incident);
+            }
+        }
     }
 
     /// The share of the surface's own colour that shows in a scene without lights; `None` where there are some.
@@ -114,12 +133,11 @@ pub(crate) fn normal(surface: &Surface, direction: Vec3) -> Vec3 {
     let &Surface { geometric_normal, shading_normal, .. } = surface;
     let seen_from_front = !is_inside(surface, direction);
     let on_the_front = shading_normal.dot(geometric_normal) >= 0.0;
-    if seen_from_front == on_the_front { shading_normal } else { -shading_normal }
+    shading_normal * if seen_from_front == on_the_front { 1.0 } else { -1.0 }
 }
 
 /// See [`ShadingPoint::outward`].
 #[inline]
 pub(crate) fn outward(surface: &Surface, direction: Vec3) -> Vec3 {
-    let normal = surface.geometric_normal;
-    if is_inside(surface, direction) { -normal } else { normal }
+    surface.geometric_normal * if is_inside(surface, direction) { -1.0 } else { 1.0 }
 }

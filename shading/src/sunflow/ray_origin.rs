@@ -14,7 +14,7 @@ pub fn ray_origin(surface: &Surface, direction: DVec3) -> Vec3 {
     let position = surface.position.abs();
     // Nearly always: no coordinate is so great that its units count.
     let bias = if position.max_element() < FAR_OUT { LEAST_BIAS } else { bias(normal.abs(), position) };
-    surface.position + if direction.as_vec3().dot(normal) < 0.0 { -normal } else { normal } * bias
+    surface.position + normal * if direction.as_vec3().dot(normal) < 0.0 { -bias } else { bias }
 }
 
 /// Below it, 25 units in the last place are less than a thousandth: 25 x 2^-15 = 0.00076.

@@ -1,8 +1,11 @@
-use geometry::{Surface, conformance::times};
+use geometry::{
+    Surface,
+    conformance::{times, wild_numbers},
+};
 use glam::Vec3;
 use proptest::prelude::*;
 use shading::{
-    Color, Shader, ShadingPoint,
+    Color, Facing, FacingLanes, LightFormula, PointLight, Shader, ShadingPoint,
     conformance::{Stage, absorbed, lit_from},
     linear_falloff, logarithmic_falloff,
     sunflow::inverse_square_falloff,
@@ -32,8 +35,43 @@ fn a_ray_towards_a_target_starts_on_its_side_and_is_there_at_1() {
     }
 }
 
+fn places() -> impl Strategy<Value = Vec3> {
+    let number = || prop_oneof![8 => -4.0_f32..4.0, 1 => Just(0.0), 1 => wild_numbers()];
+    [number(), number(), number()].prop_map(Vec3::from)
+}
+
+fn facings() -> impl Strategy<Value = Facing> {
+    (places(), places(), places(), places()).prop_map(|(position, start, normal, outward)| Facing {
+        position,
+        start,
+        normal,
+        outward,
+    })
+}
+
 proptest! {
     #![proptest_config(times(16))]
+
+    #[test]
+    fn lights_of_many_points_are_those_of_each(
+        points in prop::collection::vec((facings(), places(), 0.0_f32..20.0), 0..=4),
+        formula in prop_oneof![Just(LightFormula::Report), Just(LightFormula::Sunflow)],
+    ) {
+        let light = |position, power| PointLight { position, color: Color::WHITE, power, falloff: linear_falloff };
+        let (mut lanes, mut lights) = (FacingLanes::<4>::NONE, [light(Vec3::ZERO, 0.0); 4]);
+        let mut expected = Vec::new();
+        for (lane, &(point, position, power)) in points.iter().enumerate() {
+            lights[lane] = light(position, power);
+            lanes.put(lane, &point);
+            expected.extend(formula.arriving(&point, &lights[lane]).map(|arriving| (lane, arriving)));
+        }
+        let mut found = Vec::new();
+        formula.arriving_lanes(&lanes, points.len(), |lane| &lights[lane], |lane, incident, segment| {
+            found.push((lane, (incident, segment)));
+        });
+        // By what is written of them, in which all NaN are equal.
+        prop_assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+    }
 
     /// 3/4 u: half an ulp of the quotient below 1/2, and of the difference below 1.
     #[test]
