@@ -31,4 +31,4 @@ mod wide;
 pub use accelerator::{Accelerator, Statistics, Visits};
 pub use none::none;
 pub use octree::octree;
-pub use wide::{Hits, Instructions, Step, wide, wide_up_to, wide_watertight, wide_with};
+pub use wide::{Hits, Instructions, Step, vectorize, wide, wide_up_to, wide_watertight, wide_with};

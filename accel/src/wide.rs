@@ -37,6 +37,7 @@ mod visits;
 
 use std::hint::cold_path;
 use std::marker::PhantomData;
+use std::sync::LazyLock;
 
 use geometry::{Hit, Interval, Primitives, Ray};
 
@@ -99,8 +100,33 @@ pub fn wide_up_to(primitives: Primitives, step: Step) -> Box<dyn Accelerator> {
 }
 
 fn best(primitives: Primitives, hits: Hits, step: Step) -> Box<dyn Accelerator> {
-    let with = Instructions::ALL.into_iter().filter_map(Traversal::of).next();
-    with.unwrap_or(Traversal::Portable(Portable)).over(primitives, hits, step)
+    Traversal::best().over(primitives, hits, step)
+}
+
+/// Runs code compiled for the widest vectors that this processor has: for loops over many numbers that the compiler makes vectors of. Its results
+/// are those that it has otherwise, bit for bit.
+///
+/// The closure, and all that it calls, must be `#[inline(always)]` to be compiled so.
+///
+/// ```
+/// let numbers = std::hint::black_box([1.0 + f32::EPSILON; 16]);
+/// let squares = accel::vectorize(
+///     #[inline(always)]
+///     || numbers.map(|number| number * number - (1.0 + 2.0 * f32::EPSILON)),
+/// );
+/// // The product is rounded before the difference: in one step, as the processor could, it would be 1.4e-14.
+/// assert_eq!(squares, [0.0; 16]);
+/// ```
+#[inline]
+pub fn vectorize<R>(code: impl FnOnce() -> R) -> R {
+    static BEST: LazyLock<Traversal> = LazyLock::new(Traversal::best);
+    match *BEST {
+        #[cfg(target_arch = "x86_64")]
+        Traversal::Avx512(isa) => isa.vectorize(code),
+        #[cfg(target_arch = "x86_64")]
+        Traversal::Avx2(isa) => isa.vectorize(code),
+        Traversal::Portable(isa) => isa.vectorize(code),
+    }
 }
 
 /// Builds the wide octree to be traversed with the instructions named; `None` if this processor does not have them.
@@ -118,6 +144,10 @@ enum Traversal {
 }
 
 impl Traversal {
+    fn best() -> Self {
+        Instructions::ALL.into_iter().filter_map(Self::of).next().unwrap_or(Self::Portable(Portable))
+    }
+
     fn of(instructions: Instructions) -> Option<Self> {
         match instructions {
             #[cfg(target_arch = "x86_64")]

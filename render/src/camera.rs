@@ -1,11 +1,17 @@
 use geometry::Ray;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// Turns a place in the picture into a ray.
 pub trait Camera: Send + Sync {
     /// The ray through a place of the picture: x from 0 at the left edge to 1 at the right, y from 0 at the bottom to 1 at the
     /// top. `lens` gives a random point of the unit square, for cameras that ask.
     fn ray(&self, film: DVec2, lens: &dyn Fn() -> DVec2) -> Ray;
+
+    /// The rays through some places, each as [`Self::ray`] has it, bit for bit; `lens` is asked with a ray's number. Ray by ray, unless a camera
+    /// knows a faster way.
+    fn rays(&self, films: &[DVec2], lens: &dyn Fn(usize) -> DVec2, rays: &mut Vec<Ray>) {
+        rays.extend(films.iter().enumerate().map(|(number, &film)| self.ray(film, &|| lens(number))));
+    }
 
     /// Whether rays start at different places of a lens.
     fn has_lens(&self) -> bool {
@@ -53,6 +59,7 @@ impl Frame {
 
     /// From the eye to the point of the image plane behind a place of the picture. Of directions alone: the point itself, taken
     /// far from the origin, would round the picture away.
+    #[inline(always)]
     fn towards(&self, film: DVec2) -> DVec3 {
         let place = self.shift + self.half * (2.0 * film - DVec2::ONE);
         self.right * place.x + self.up * place.y + self.forward
@@ -72,7 +79,39 @@ pub struct Pinhole {
 
 impl Camera for Pinhole {
     fn ray(&self, film: DVec2, _lens: &dyn Fn() -> DVec2) -> Ray {
-        Ray::new(self.frame.eye.as_vec3(), self.frame.towards(film).normalize().as_vec3())
+        Ray::new(self.frame.eye.as_vec3(), self.direction(film))
+    }
+
+    fn rays(&self, films: &[DVec2], _lens: &dyn Fn(usize) -> DVec2, rays: &mut Vec<Ray>) {
+        accel::vectorize(
+            #[inline(always)]
+            || self.add_rays(films, rays),
+        );
+    }
+}
+
+impl Pinhole {
+    #[inline(always)]
+    fn add_rays(&self, films: &[DVec2], rays: &mut Vec<Ray>) {
+        const LANES: usize = 8;
+        let eye = self.frame.eye.as_vec3();
+        for films in films.chunks(LANES) {
+            let mut directions = [[0.0; LANES]; 3];
+            // A loop that the compiler makes vectors of.
+            for lane in 0..LANES {
+                let direction = self.direction(films[lane.min(films.len() - 1)]);
+                for axis in 0..3 {
+                    directions[axis][lane] = direction[axis];
+                }
+            }
+            let [x, y, z] = directions;
+            rays.extend((0..films.len()).map(|lane| Ray::new(eye, Vec3::new(x[lane], y[lane], z[lane]))));
+        }
+    }
+
+    #[inline(always)]
+    fn direction(&self, film: DVec2) -> Vec3 {
+        self.frame.towards(film).normalize().as_vec3()
     }
 }
 
@@ -164,7 +203,6 @@ fn concentric_disc(random: DVec2) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
 
     fn frame() -> Frame {
         Frame::look_at(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y).unwrap().seeing(90.0, 2.0)

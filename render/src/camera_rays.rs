@@ -26,9 +26,10 @@ pub(crate) struct CameraRays<'a> {
     tracer: Tracer<'a>,
     lost: LostRays,
     together: usize,
-    in_pixel: [DVec2; TOGETHER],
-    on_lens: [DVec2; TOGETHER],
     samples: Samples,
+    /// Where each ray leaves the camera; on the lens, if it has one.
+    in_picture: [DVec2; TOGETHER],
+    on_lens: [DVec2; TOGETHER],
     rays: Vec<Ray>,
     hits: [Option<Hit>; TOGETHER],
     lit: Lit,
@@ -52,8 +53,8 @@ struct OfPixel {
 }
 
 impl Samples {
-    fn add(&mut self, count: u32, pixel: OfPixel) {
-        self.of_rays.resize(pixel.first_ray + count as usize, self.pixels.len() as u32);
+    fn add(&mut self, count: usize, pixel: OfPixel) {
+        self.of_rays.resize(pixel.first_ray + count, self.pixels.len() as u32);
         self.pixels.push(pixel);
     }
 
@@ -78,9 +79,9 @@ impl<'a> CameraRays<'a> {
             tracer,
             lost: LostRays::default(),
             together,
-            in_pixel: [DVec2::ZERO; TOGETHER],
-            on_lens: [DVec2::ZERO; TOGETHER],
             samples: Samples::default(),
+            in_picture: [DVec2::ZERO; TOGETHER],
+            on_lens: [DVec2::ZERO; TOGETHER],
             rays: Vec::with_capacity(together),
             hits: [None; TOGETHER],
             lit,
@@ -99,13 +100,14 @@ impl<'a> CameraRays<'a> {
     ) {
         let mut index = indices.start;
         while index < indices.end {
-            let count = (indices.end - index).min((self.together - self.rays.len()) as u32);
+            let asked = self.samples.of_rays.len();
+            let count = ((indices.end - index) as usize).min(self.together - asked);
             let first = Sample { index, ..first };
-            let places = [&mut self.in_pixel, &mut self.on_lens].map(|places| &mut places[..count as usize]);
-            self.samples.add(count, OfPixel { number: pixel, first_ray: self.rays.len(), first_sample: first });
-            self.tracer.camera_rays(first, places, &mut self.rays);
-            index += count;
-            if self.rays.len() == self.together {
+            let next = asked..asked + count;
+            self.tracer.places(first, &mut self.in_picture[next.clone()], &mut self.on_lens[next]);
+            self.samples.add(count, OfPixel { number: pixel, first_ray: asked, first_sample: first });
+            index += count as u32;
+            if asked + count == self.together {
                 self.tell(told);
             }
         }
@@ -121,8 +123,10 @@ impl<'a> CameraRays<'a> {
     }
 
     fn tell_of<S: Sight>(&mut self, told: &mut impl FnMut(usize, Color)) {
-        let Self { tracer, lost, samples, rays, lit, .. } = self;
-        let hits = &mut self.hits[..rays.len()];
+        let Self { tracer, lost, samples, in_picture, on_lens, rays, lit, .. } = self;
+        let asked = samples.of_rays.len();
+        tracer.camera_rays(samples, &mut in_picture[..asked], &on_lens[..asked], rays);
+        let hits = &mut self.hits[..asked];
         tracer.camera_hits(rays, hits);
         // What those rays see that meet something.
         let mut points = Vec::with_capacity(rays.len());

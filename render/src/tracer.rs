@@ -25,25 +25,40 @@ impl<'a> Tracer<'a> {
         self.rays.take()
     }
 
-    /// Adds rays of a pixel as they leave the camera: this sample's and the next ones', as many as there is room for places in the pixel.
-    pub(crate) fn camera_rays(&self, first: Sample, [in_pixel, on_lens]: [&mut [DVec2]; 2], rays: &mut Vec<Ray>) {
-        let Scene { camera, raster, sampler, .. } = self.scene;
-        let corner = DVec2::new(f64::from(first.pixel[0]), f64::from(first.pixel[1]));
+    /// Where in the picture rays of a pixel leave the camera, in pixels, and where on the lens, if it has one: this sample's and the next ones', as
+    /// many as there is room for.
+    pub(crate) fn places(&self, first: Sample, in_picture: &mut [DVec2], on_lens: &mut [DVec2]) {
+        let Scene { camera, sampler, .. } = self.scene;
         if first.count == 1 {
             // A single ray has nothing to be averaged with.
-            in_pixel.fill(DVec2::splat(0.5));
+            in_picture.fill(DVec2::splat(0.5));
         } else {
-            sampler(Sample { purpose: Purpose::Pixel, ..first }, in_pixel);
+            sampler(Sample { purpose: Purpose::Pixel, ..first }, in_picture);
         }
-        let film = |in_pixel: DVec2| raster.film(corner + in_pixel, self.settings.size);
-        let lens = Sample { purpose: Purpose::Lens, ..first };
+        let corner = DVec2::new(f64::from(first.pixel[0]), f64::from(first.pixel[1]));
+        in_picture.iter_mut().for_each(|place| *place += corner);
         if camera.has_lens() {
-            sampler(lens, on_lens);
-            rays.extend(in_pixel.iter().zip(&*on_lens).map(|(&at, &on_lens)| camera.ray(film(at), &|| on_lens)));
+            sampler(Sample { purpose: Purpose::Lens, ..first }, on_lens);
+        }
+    }
+
+    /// The rays that leave the camera at some places.
+    pub(crate) fn camera_rays(
+        &self,
+        samples: &Samples,
+        in_picture: &mut [DVec2],
+        on_lens: &[DVec2],
+        rays: &mut Vec<Ray>,
+    ) {
+        let Scene { camera, raster, sampler, .. } = self.scene;
+        let size = self.settings.size;
+        in_picture.iter_mut().for_each(|place| *place = raster.film(*place, size));
+        if camera.has_lens() {
+            camera.rays(in_picture, &|number| on_lens[number], rays);
         } else {
             // A camera may ask all the same.
-            let on_lens = |number| Sample { index: first.index + number as u32, ..lens }.point(*sampler);
-            rays.extend(in_pixel.iter().enumerate().map(|(number, &at)| camera.ray(film(at), &|| on_lens(number))));
+            let lens = |number| Sample { purpose: Purpose::Lens, ..samples.of(number) }.point(*sampler);
+            camera.rays(in_picture, &lens, rays);
         }
     }
 

@@ -14,7 +14,8 @@
 //! ```
 //!
 //! **The contract.** A [`MakeCamera`] makes a [`Camera`] of a [`View`]; `None` where that defines none. [`Camera::ray`] is a function of its
-//! arguments alone, its direction a unit vector. A lens asks for its random point, once; a pinhole does not.
+//! arguments alone, its direction a unit vector. A lens asks for its random point, once; a pinhole does not. [`Camera::rays`] gives the same,
+//! for a camera that knows a faster way for many.
 //!
 //! **Hard cases.** An eye 1e6 away, where a coordinate's rounding is larger than a pixel: the direction must not be computed from points. An
 //! angle of 0.01 degrees. An up vector that leans towards the view, of any length. The eye in its target. NaN: a ray along NaN meets nothing.
@@ -49,6 +50,9 @@
 //! | a square lens for a disc | [`a_lens_is_filled_evenly`] |
 //! | polygon lens as a disc | [`a_polygon_lens_has_its_corners`] |
 //! | the polygon's rotation ignored | [`a_polygon_lens_has_its_corners`] |
+//! | many rays through one point of the lens | [`many_rays_are_those_asked_for_one_by_one`] |
+//! | many rays without the last | [`many_rays_are_those_asked_for_one_by_one`] |
+//! | many rays in single precision | [`many_rays_are_those_asked_for_one_by_one`] |
 
 use std::cell::Cell;
 
@@ -373,6 +377,21 @@ pub fn a_polygon_lens_has_its_corners(make: &MakeCamera, trial: &Trial) -> Verdi
     })
 }
 
+/// Bit for bit, after what is in the list already.
+pub fn many_rays_are_those_asked_for_one_by_one(make: &MakeCamera, trial: &Trial) -> Verdict {
+    let view = (views(), prop::option::of(lenses())).prop_map(|(view, lens)| View { lens, ..view });
+    let asked = prop::collection::vec((places(), places()), 0..20);
+    trial.search((view, asked), |(view, asked)| {
+        let camera = made(make, view)?;
+        let (films, on_lens): (Vec<_>, Vec<_>) = asked.iter().copied().unzip();
+        let mut expected = vec![Ray::new(Vec3::ONE, Vec3::X)];
+        let mut found = expected.clone();
+        expected.extend(asked.iter().map(|&(film, on_lens)| camera.ray(film, &|| on_lens)));
+        camera.rays(&films, &|number| on_lens[number], &mut found);
+        same(&expected, &found)
+    })
+}
+
 geometry::kit! { $crate
     /// Names the laws of a camera as tests: of a function from a [`crate::View`] to a [`crate::Camera`].
     camera_conformance, MakeCamera, camera;
@@ -393,4 +412,5 @@ geometry::kit! { $crate
     all_rays_through_a_lens_meet_in_the_plane_of_focus: "the distance is measured along the ray, or from the image plane; or the start that was meant is taken, not the rounded one";
     a_lens_is_filled_evenly: "the radius is the random number, not its root, so the middle is too dense; or the square is used as it is";
     a_polygon_lens_has_its_corners: "the sides are ignored, or the first corner is not at the rotation";
+    many_rays_are_those_asked_for_one_by_one: "`rays` does other steps than `ray`, or gives a ray another's point of the lens, or empties the list: leave it out, and the rays come from `ray`";
 }

@@ -54,6 +54,32 @@ fn through(view: &View, on_lens: fn(DVec2) -> DVec2) -> Option<Box<dyn Camera>> 
     Some(Box::new(Student { ray, has_lens: true }))
 }
 
+/// The right camera, what it makes of many places changed.
+struct Many<F> {
+    right: Box<dyn Camera>,
+    rays: F,
+}
+
+type ManyRays = fn(&dyn Camera, &[DVec2], &dyn Fn(usize) -> DVec2, &mut Vec<Ray>);
+
+impl Camera for Many<ManyRays> {
+    fn ray(&self, film: DVec2, lens: &dyn Fn() -> DVec2) -> Ray {
+        self.right.ray(film, lens)
+    }
+
+    fn rays(&self, films: &[DVec2], lens: &dyn Fn(usize) -> DVec2, rays: &mut Vec<Ray>) {
+        (self.rays)(&*self.right, films, lens, rays);
+    }
+
+    fn has_lens(&self) -> bool {
+        self.right.has_lens()
+    }
+}
+
+fn many(view: &View, rays: ManyRays) -> Option<Box<dyn Camera>> {
+    Some(Box::new(Many { right: camera(view)?, rays }))
+}
+
 fn with_lens(view: &View, change: impl Fn(Lens) -> Lens) -> View {
     View { lens: view.lens.map(change), ..*view }
 }
@@ -211,6 +237,28 @@ fn every_mistake_in_a_camera_is_named() {
             "the polygon's rotation ignored",
             |view| camera(&with_lens(view, |lens| Lens { rotation_degrees: 0.0, ..lens })),
             "a_polygon_lens_has_its_corners",
+        ),
+        (
+            "many rays through one point of the lens",
+            |view| many(view, |right, films, lens, rays| right.rays(films, &|_| lens(0), rays)),
+            "many_rays_are_those_asked_for_one_by_one",
+        ),
+        (
+            "many rays without the last",
+            |view| {
+                many(view, |right, films, lens, rays| right.rays(&films[..films.len().saturating_sub(1)], lens, rays))
+            },
+            "many_rays_are_those_asked_for_one_by_one",
+        ),
+        (
+            "many rays in single precision",
+            |view| {
+                many(view, |right, films, lens, rays| {
+                    let films: Vec<DVec2> = films.iter().map(|film| film.as_vec2().as_dvec2()).collect();
+                    right.rays(&films, lens, rays);
+                })
+            },
+            "many_rays_are_those_asked_for_one_by_one",
         ),
     ]);
 }
