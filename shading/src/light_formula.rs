@@ -22,7 +22,7 @@ pub struct Incident {
 pub struct Facing {
     /// Where the light is to arrive.
     pub position: Vec3,
-    /// Where shadow rays start: off the surface, on the viewer's side.
+    /// Where shadow rays start, whichever light they go to: as a ray along `outward` does.
     pub start: Vec3,
     /// The normal to shade with, on the viewer's side.
     pub normal: Vec3,
@@ -41,52 +41,14 @@ pub enum LightFormula {
 
 /// How a light stands to a point.
 #[derive(Clone, Copy)]
-struct Aim {
-    distance: f32,
+pub(crate) struct Aim {
+    pub(crate) distance: f32,
     /// The unit direction to the light.
-    direction: Vec3,
+    pub(crate) direction: Vec3,
     /// Between it and the normal to shade with.
-    cosine: f32,
+    pub(crate) cosine: f32,
     /// Of both normals.
-    is_in_front: bool,
-}
-
-/// Points turned to their viewers, for [`LightFormula::arriving_lanes`]: a row of numbers for each coordinate.
-#[derive(Clone, Copy, Debug)]
-pub struct FacingLanes<const N: usize> {
-    position: [[f32; N]; 3],
-    start: [[f32; N]; 3],
-    normal: [[f32; N]; 3],
-    outward: [[f32; N]; 3],
-}
-
-impl<const N: usize> FacingLanes<N> {
-    /// No points yet.
-    pub const NONE: Self =
-        Self { position: [[0.0; N]; 3], start: [[0.0; N]; 3], normal: [[0.0; N]; 3], outward: [[0.0; N]; 3] };
-
-    /// Puts a point into a lane.
-    #[inline]
-    pub fn put(&mut self, lane: usize, point: &Facing) {
-        let rows = [&mut self.position, &mut self.start, &mut self.normal, &mut self.outward];
-        for (rows, vector) in rows.into_iter().zip([point.position, point.start, point.normal, point.outward]) {
-            for axis in 0..3 {
-                rows[axis][lane] = vector[axis];
-            }
-        }
-    }
-
-    /// The point in a lane.
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> Facing {
-        let at = |rows: &[[f32; N]; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-        Facing {
-            position: at(&self.position),
-            start: at(&self.start),
-            normal: at(&self.normal),
-            outward: at(&self.outward),
-        }
-    }
+    pub(crate) is_in_front: bool,
 }
 
 impl LightFormula {
@@ -109,41 +71,8 @@ impl LightFormula {
         arriving(at.start, light, self.aim(at, light.position))
     }
 
-    /// The same at the first so many points, each from a light of its own: `arrives` is told the lane and what arrives there.
-    #[inline]
-    pub fn arriving_lanes<'a, const N: usize>(
-        self,
-        at: &FacingLanes<N>,
-        count: usize,
-        light: impl Fn(usize) -> &'a PointLight,
-        mut arrives: impl FnMut(usize, Incident, Ray),
-    ) {
-        let (mut distances, mut cosines, mut directions) = ([0.0; N], [0.0; N], [[0.0; N]; 3]);
-        let mut are_in_front = [0; N];
-        // A loop that the compiler makes vectors of.
-        for lane in 0..N {
-            let aim = self.aim(&at.lane(lane), light(lane).position);
-            (distances[lane], cosines[lane]) = (aim.distance, aim.cosine);
-            for axis in 0..3 {
-                directions[axis][lane] = aim.direction[axis];
-            }
-            are_in_front[lane] = u32::from(aim.is_in_front);
-        }
-        for lane in 0..count {
-            let aim = Aim {
-                distance: distances[lane],
-                direction: Vec3::new(directions[0][lane], directions[1][lane], directions[2][lane]),
-                cosine: cosines[lane],
-                is_in_front: are_in_front[lane] != 0,
-            };
-            if let Some((incident, segment)) = arriving(at.lane(lane).start, light(lane), aim) {
-                arrives(lane, incident, segment);
-            }
-        }
-    }
-
     #[inline(always)]
-    fn aim(self, at: &Facing, light: Vec3) -> Aim {
+    pub(crate) fn aim(self, at: &Facing, light: Vec3) -> Aim {
         let to_light = light - at.position;
         let distance = to_light.length();
         let direction = to_light / distance;
@@ -157,8 +86,9 @@ impl LightFormula {
     }
 }
 
+/// From a light that is so aimed at.
 #[inline(always)]
-fn arriving(start: Vec3, light: &PointLight, aim: Aim) -> Option<(Incident, Ray)> {
+pub(crate) fn arriving(start: Vec3, light: &PointLight, aim: Aim) -> Option<(Incident, Ray)> {
     let Aim { distance, direction, cosine, is_in_front } = aim;
     if !is_in_front {
         return None;
@@ -174,9 +104,6 @@ fn arriving(start: Vec3, light: &PointLight, aim: Aim) -> Option<(Incident, Ray)
 mod tests {
     use super::*;
     use crate::linear_falloff;
-
-    const SURFACE: Surface =
-        Surface { position: Vec3::ZERO, error: Vec3::ZERO, geometric_normal: Vec3::Z, shading_normal: Vec3::Z };
 
     /// What arrives at the origin from a place, where the normal to shade with is not the surface's own.
     fn arriving(formula: LightFormula, position: Vec3, normal: Vec3) -> Option<(Incident, Ray)> {
