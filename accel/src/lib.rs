@@ -8,6 +8,8 @@
 //!
 //! All are plain functions from [`geometry::Primitives`] to an [`Accelerator`], and so is anybody's own.
 //!
+//! [`vectorize`] lends the wide octree's instructions to whoever has the same steps to do for many numbers.
+//!
 //! # Conventions
 //!
 //! Every accelerator returns the hit that [`none`] returns, bit for bit: `geometry` alone decides what is a hit and where,

@@ -126,7 +126,7 @@ impl<'a> CameraRays<'a> {
         let Self { tracer, lost, samples, in_picture, on_lens, rays, lit, .. } = self;
         let asked = samples.of_rays.len();
         tracer.camera_rays(samples, &mut in_picture[..asked], &on_lens[..asked], rays);
-        let hits = &mut self.hits[..asked];
+        let hits = &mut self.hits[..rays.len()];
         tracer.camera_hits(rays, hits);
         // What those rays see that meet something.
         let mut points = Vec::with_capacity(rays.len());

@@ -42,7 +42,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The rays that leave the camera at some places.
+    /// The rays that leave the camera at some places, given in pixels.
     pub(crate) fn camera_rays(
         &self,
         samples: &Samples,
@@ -60,6 +60,8 @@ impl<'a> Tracer<'a> {
             let lens = |number| Sample { purpose: Purpose::Lens, ..samples.of(number) }.point(*sampler);
             camera.rays(in_picture, &lens, rays);
         }
+        // Whatever a camera makes: no more than asked for.
+        rays.truncate(in_picture.len());
     }
 
     /// What each of some camera rays meets.
@@ -120,7 +122,7 @@ impl<'a> Tracer<'a> {
         self.lights.light(number, self.scene.bounces.path, self.scene.sampler, || samples.of(point.ray))
     }
 
-    /// What a camera ray sees, made ready for a formula. `None` where the surface is not known, which it is in scenes with lights.
+    /// Adds what a camera ray sees, made ready for a formula. Not where the surface is not known, which it is in scenes with lights.
     #[inline]
     pub(crate) fn facing<S: Sight>(&self, formula: LightFormula, seen: &Seen<'_, S>, add: impl FnOnce(Facing)) {
         if let Some(surface) = seen.surface.known() {
