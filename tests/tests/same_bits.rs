@@ -5,8 +5,10 @@ use std::num::NonZeroUsize;
 use accel::Accelerator;
 use cli::scenes::{self, EmbeddedFiles};
 use geometry::{Hit, Interval, Primitives, Ray, Surface};
-use glam::Vec3;
-use render::{Allotment, Assembled, Buckets, Crop, Film, Lighting, Modules, Settings, Shaders, render};
+use glam::{DVec2, Vec3};
+use render::{
+    Allotment, Assembled, Buckets, Camera, Crop, Film, Lighting, Modules, Settings, Shaders, View, camera, render,
+};
 use scene_format::scene_file::BucketOrder;
 use shading::{Bounces, Color, LazySurface, LightFormula, Shader, ShadingPoint, SoftShadows};
 use tests::Rendering;
@@ -67,6 +69,35 @@ fn any_number_of_threads_gives_the_same_bits() {
                 assert_same(name, &format!("{threads} threads"), &one, &film(&assembled, &with(threads)));
             }
         }
+    }
+}
+
+/// A camera that makes a ray too many of each lot.
+struct OneMore(Box<dyn Camera>);
+
+impl Camera for OneMore {
+    fn ray(&self, film: DVec2, lens: &dyn Fn() -> DVec2) -> Ray {
+        self.0.ray(film, lens)
+    }
+
+    fn rays(&self, films: &[DVec2], lens: &dyn Fn(usize) -> DVec2, rays: &mut Vec<Ray>) {
+        self.0.rays(films, lens, rays);
+        rays.push(Ray::new(Vec3::ZERO, Vec3::X));
+    }
+
+    fn has_lens(&self) -> bool {
+        self.0.has_lens()
+    }
+}
+
+#[test]
+fn a_camera_that_makes_more_rays_than_asked_for_gives_the_same_bits() {
+    let one_more = |view: &View| Some(Box::new(OneMore(camera(view)?)) as Box<dyn Camera>);
+    for name in ["textures", "depth-of-field"] {
+        let right = assembled(name, Modules::default());
+        let more = assembled(name, Modules { camera: one_more, ..Modules::default() });
+        let settings = small(&right.settings);
+        assert_same(name, "a ray too many", &film(&right, &settings), &film(&more, &settings));
     }
 }
 
