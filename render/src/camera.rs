@@ -100,9 +100,7 @@ impl Pinhole {
             // A loop that the compiler makes vectors of.
             for lane in 0..LANES {
                 let direction = self.direction(films[lane.min(films.len() - 1)]);
-                for axis in 0..3 {
-                    directions[axis][lane] = direction[axis];
-                }
+                [directions[0][lane], directions[1][lane], directions[2][lane]] = direction.to_array();
             }
             let [x, y, z] = directions;
             rays.extend((0..films.len()).map(|lane| Ray::new(eye, Vec3::new(x[lane], y[lane], z[lane]))));

@@ -20,7 +20,6 @@ pub enum Raster {
 
 impl Raster {
     /// The camera's x and y, both 0 to 1, from the lower left, of a place in pixels, from the upper left.
-    #[inline(always)]
     pub(crate) fn film(self, place: DVec2, size: [u32; 2]) -> DVec2 {
         let size = DVec2::new(f64::from(size[0]), f64::from(size[1]));
         match self {

@@ -86,7 +86,8 @@ impl LightFormula {
     }
 }
 
-/// From a light that is so aimed at.
+/// What arrives from a light that stands so to a point, and the segment to it from where the point's shadow rays start. See
+/// [`LightFormula::arriving`].
 #[inline(always)]
 pub(crate) fn arriving(start: Vec3, light: &PointLight, aim: Aim) -> Option<(Incident, Ray)> {
     let Aim { distance, direction, cosine, is_in_front } = aim;
