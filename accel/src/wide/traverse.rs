@@ -9,7 +9,7 @@ use super::{
     boxes::{BoxRays, near_sides, reach},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node, SLOTS},
-    simd::{Isa, Lanes, Room, Stack, bits, prefetch},
+    simd::{Aligned, Isa, Lanes, Room, Stack, bits, prefetch},
     triangles::{Met, TriangleRays},
 };
 use crate::none::closest_of;
@@ -64,8 +64,9 @@ impl<I: Isa> Bound<I> {
         if met == 0 {
             return None;
         }
-        let mut distances = [0.0; SLOTS];
-        enters.store(&mut distances);
+        let mut distances = Aligned([0.0; SLOTS]);
+        enters.store(&mut distances.0);
+        let Aligned(distances) = &distances;
         // Of one or of two: which it is cannot be foreseen, so both go the same way.
         let (first, last) = (met.trailing_zeros() as usize & (SLOTS - 1), met.ilog2() as usize & (SLOTS - 1));
         if met == 1 << first | 1 << last {
@@ -77,7 +78,7 @@ impl<I: Isa> Bound<I> {
             stack.shorten(usize::from(first == last));
             return Some(near);
         }
-        Some(self.visit_many(node, met, &distances, stack))
+        Some(self.visit_many(node, met, distances, stack))
     }
 
     #[inline(always)]
