@@ -44,8 +44,10 @@ fn linear_bytes() -> &'static [f32; 256] {
 /// The two texels whose centres lie around a coordinate, and the second one's share. NaN counts as 0.
 fn neighbours(coordinate: f32, count: usize) -> (usize, usize, f32) {
     let place = (coordinate - coordinate.floor()) * (count - 1) as f32;
-    let first = place as usize;
+    // A processor has an instruction for 32 bits either way.
+    let first = place as i32;
     let t = if place.is_nan() { 0.0 } else { place - first as f32 };
+    let first = first as usize;
     (first, if first + 1 < count { first + 1 } else { 0 }, t * t * (3.0 - 2.0 * t))
 }
 
