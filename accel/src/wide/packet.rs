@@ -24,7 +24,7 @@ use super::{
     boxes::{BoxRays, SLACK, reach},
     decide::{Asked, Decide},
     layout::{Block, Node},
-    simd::{Isa, Lanes},
+    simd::{Isa, Lanes, Line},
     traverse::Aimed,
     triangles::{Met, PROJECTED, TriangleRays},
 };
@@ -35,25 +35,6 @@ pub(super) use closest::closest;
 
 /// The rays of a packet.
 pub(super) const RAYS: usize = 16;
-
-/// One number of each ray.
-#[derive(Clone, Copy)]
-#[repr(C, align(64))]
-struct Row([f32; RAYS]);
-
-impl Row {
-    #[inline(always)]
-    fn of<I: Isa>(lanes: &I::F32x16) -> Self {
-        let mut row = Self([0.0; RAYS]);
-        lanes.store(&mut row.0);
-        row
-    }
-
-    #[inline(always)]
-    fn lanes<I: Isa>(&self, isa: I) -> I::F32x16 {
-        I::F32x16::load(isa, &self.0)
-    }
-}
 
 /// For x, y, z: each ray's.
 #[inline(always)]
@@ -92,12 +73,12 @@ struct Packet<I> {
     within: Interval,
     /// Of all rays, on each axis which planes come first.
     sides: [usize; 3],
-    boxes: BoxRays<Row>,
+    boxes: BoxRays<Line>,
     /// Of all rays, which axis has become which.
     axes: [usize; 3],
-    triangles: TriangleRays<Row>,
+    triangles: TriangleRays<Line>,
     /// Axes turned.
-    directions: [Row; 3],
+    directions: [Line; 3],
     beam: Beam,
 }
 
@@ -191,13 +172,13 @@ impl<I: Isa> Packet<I> {
             isa,
             within,
             sides,
-            boxes: boxes.map(Row::of::<I>),
+            boxes: boxes.map(Line::of::<I>),
             axes,
-            triangles: triangles.map(Row::of::<I>),
+            triangles: triangles.map(Line::of::<I>),
             directions: [
-                Row::of::<I>(&directions[axes[0]]),
-                Row::of::<I>(&directions[axes[1]]),
-                Row::of::<I>(&directions[axes[2]]),
+                Line::of::<I>(&directions[axes[0]]),
+                Line::of::<I>(&directions[axes[1]]),
+                Line::of::<I>(&directions[axes[2]]),
             ],
             beam,
         })
@@ -235,7 +216,7 @@ impl<I: Isa> Packet<I> {
 
     /// A bit for each ray that meets a box before its limit.
     #[inline(always)]
-    fn meet_box(&self, node: &Node, slot: usize, limits: &Row) -> u32 {
+    fn meet_box(&self, node: &Node, slot: usize, limits: &Line) -> u32 {
         let isa = self.isa;
         let rays = self.boxes.map(
             #[inline(always)]
@@ -290,7 +271,7 @@ impl<I: Isa> Packet<I> {
 
     /// Which rays meet one triangle of a block.
     #[inline(always)]
-    fn meet_triangle<D: Decide>(&self, block: &Block, lane: usize, limits: &Row) -> Option<Met<I::F32x16>> {
+    fn meet_triangle<D: Decide>(&self, block: &Block, lane: usize, limits: &Line) -> Option<Met<I::F32x16>> {
         let isa = self.isa;
         let rays = self.triangles.map(
             #[inline(always)]

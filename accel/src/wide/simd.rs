@@ -58,10 +58,27 @@ pub(super) fn prefetch<T>(soon: &T) {
     let _ = soon;
 }
 
-/// Starts where a cache line does. Else it is up to where the caller's stack stands whether a vector is written into two lines, and the processor
-/// waits when it is read back: a tenth of all the time, in some runs of a program and not in others.
+/// A number of each box of a node, or of each ray of a packet, in memory: a cache line.
+///
+/// Were it not aligned, it would be up to where the caller's stack begins whether it is written into two lines, and the processor waits when it
+/// is read back: a tenth of all the time, in some runs of a program and not in others.
+#[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub(super) struct Aligned<T>(pub(super) T);
+pub(super) struct Line(pub(super) [f32; 16]);
+
+impl Line {
+    #[inline(always)]
+    pub(super) fn of<I: Isa>(lanes: &I::F32x16) -> Self {
+        let mut line = Self([0.0; 16]);
+        lanes.store(&mut line.0);
+        line
+    }
+
+    #[inline(always)]
+    pub(super) fn lanes<I: Isa>(&self, isa: I) -> I::F32x16 {
+        I::F32x16::load(isa, &self.0)
+    }
+}
 
 /// The bits of a number that are set, from the lowest.
 #[inline(always)]

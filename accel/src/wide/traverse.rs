@@ -9,7 +9,7 @@ use super::{
     boxes::{BoxRays, near_sides, reach},
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, Linked, Mixed, Node, SLOTS},
-    simd::{Aligned, Isa, Lanes, Room, Stack, bits, prefetch},
+    simd::{Isa, Lanes, Line, Room, Stack, bits, prefetch},
     triangles::{Met, TriangleRays},
 };
 use crate::none::closest_of;
@@ -64,9 +64,7 @@ impl<I: Isa> Bound<I> {
         if met == 0 {
             return None;
         }
-        let mut distances = Aligned([0.0; SLOTS]);
-        enters.store(&mut distances.0);
-        let Aligned(distances) = &distances;
+        let Line(distances) = &Line::of::<I>(&enters);
         // Of one or of two: which it is cannot be foreseen, so both go the same way.
         let (first, last) = (met.trailing_zeros() as usize & (SLOTS - 1), met.ilog2() as usize & (SLOTS - 1));
         if met == 1 << first | 1 << last {

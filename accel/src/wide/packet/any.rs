@@ -2,12 +2,12 @@
 
 use geometry::{Interval, Primitives, Ray};
 
-use super::{ALL, Packet, RAYS, Row};
+use super::{ALL, Packet, RAYS};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide},
     layout::{Block, Link, SLOTS},
-    simd::{Isa, Room, Stack, bits},
+    simd::{Isa, Line, Room, Stack, bits},
     traverse::{any_of, is_any_met},
 };
 
@@ -21,7 +21,7 @@ pub(in crate::wide) fn any<I: Isa, D: Decide>(
     within: Interval,
 ) -> Option<u32> {
     let packet = Packet::new(isa, rays, within, tree.magnitude)?;
-    let limits = Row([within.max; RAYS]);
+    let limits = Line([within.max; RAYS]);
     let mut room = Room::<(Link, u32)>::new();
     let mut stack = Stack::within(&mut room);
     let (mut link, mut active) = (tree.root, ALL);
@@ -93,7 +93,7 @@ impl<I: Isa> Packet<I> {
             }
             return found;
         }
-        let limits = Row([self.within.max; RAYS]);
+        let limits = Line([self.within.max; RAYS]);
         for lane in bits(triangles) {
             let Some(met) = self.meet_triangle::<D>(&blocks[block], lane, &limits) else { continue };
             found |= met.certain & active;

@@ -2,12 +2,12 @@
 
 use geometry::{Hit, Interval, Primitives, Ray, TriangleLanes, intersect_lanes};
 
-use super::{ALL, Packet, RAYS, Row, components};
+use super::{ALL, Packet, RAYS, components};
 use crate::wide::{
     Tree,
     decide::{Asked, Decide, NO_HIT, Nearest, Place},
     layout::{Block, Link, SLOTS},
-    simd::{Isa, Lanes, Room, Stack, bits},
+    simd::{Isa, Lanes, Line, Room, Stack, bits},
     traverse::{Pending, distance, nearest_with, pending, sink},
 };
 
@@ -33,8 +33,7 @@ pub(in crate::wide) fn closest<I: Isa, D: Decide>(
         if link.is_node() {
             let node = &tree.nodes[link.bits() as usize];
             let (enters, boxes) = packet.meet_together(node, hits.farthest);
-            let mut distances = [0.0; SLOTS];
-            enters.store(&mut distances);
+            let Line(distances) = &Line::of::<I>(&enters);
             let start = stack.len();
             for slot in bits(boxes) {
                 let slot = slot & (SLOTS - 1);
@@ -75,10 +74,10 @@ struct Hits<'a> {
     blocks: &'a [Block],
     rays: &'a [Ray; RAYS],
     within: &'a Interval,
-    low: Row,
-    high: Row,
+    low: Line,
+    high: Line,
     /// The bits of each ray's [`Place`].
-    places: Row,
+    places: Line,
     known: [Hit; RAYS],
     /// The greatest of `high`.
     farthest: f32,
@@ -87,8 +86,8 @@ struct Hits<'a> {
 impl<'a> Hits<'a> {
     #[inline(always)]
     fn none(blocks: &'a [Block], rays: &'a [Ray; RAYS], within: &'a Interval) -> Self {
-        let ends = Row([within.max; RAYS]);
-        let places = Row([f32::from_bits(Place::NOWHERE.bits()); RAYS]);
+        let ends = Line([within.max; RAYS]);
+        let places = Line([f32::from_bits(Place::NOWHERE.bits()); RAYS]);
         Self { blocks, rays, within, low: ends, high: ends, places, known: [NO_HIT; RAYS], farthest: within.max }
     }
 
@@ -135,16 +134,16 @@ impl<'a> Hits<'a> {
         let (low, high) = (self.low.lanes(isa), self.high.lanes(isa));
         let certain = met.certain & active;
         let nearer = certain & met.high.lt(low);
-        self.low = Row::of::<I>(&low.or_where(nearer, met.low));
-        self.high = Row::of::<I>(&high.or_where(nearer, met.high));
+        self.low = Line::of::<I>(&low.or_where(nearer, met.low));
+        self.high = Line::of::<I>(&high.or_where(nearer, met.high));
         let place_lanes = I::F32x16::splat(isa, f32::from_bits(place.bits()));
-        self.places = Row::of::<I>(&self.places.lanes(isa).or_where(nearer, place_lanes));
+        self.places = Line::of::<I>(&self.places.lanes(isa).or_where(nearer, place_lanes));
         let farther = certain & high.lt(met.low);
         let close = met.possible & active & !nearer & !farther;
         if close == 0 {
             return;
         }
-        let low = Row::of::<I>(&met.low);
+        let low = Line::of::<I>(&met.low);
         for ray in bits(close) {
             let ray = ray & (RAYS - 1);
             let (asked, nearest) = (self.asked(ray), self.nearest(ray));
@@ -181,7 +180,7 @@ impl<'a> Hits<'a> {
             #[inline(always)]
             |ray, axis| places[ray].coordinate(self.blocks, corner, packet.axes[axis]),
         );
-        [Row::of::<I>(&x).0, Row::of::<I>(&y).0, Row::of::<I>(&z).0]
+        [Line::of::<I>(&x).0, Line::of::<I>(&y).0, Line::of::<I>(&z).0]
     }
 
     /// The nearest hits, at the end. All triangles are looked at closely in the same steps.

@@ -4,7 +4,7 @@ use super::super::MOST_PENDING;
 
 /// Room for a [`Stack`]. Its memory is not cleared for each ray, which would cost as much as a node.
 ///
-/// As [`super::Aligned`], and with it all that is kept beside it: what registers have no room for as well.
+/// It starts at a cache line, as a [`super::Line`] does, and so all that is kept beside it: what registers have no room for as well.
 #[repr(align(64))]
 pub(in crate::wide) struct Room<T: Copy>([MaybeUninit<T>; MOST_PENDING]);
 
