@@ -6,6 +6,7 @@ use super::{
     layout::Node,
     simd::{Isa, Lanes, map},
 };
+use crate::ordinary::FARTHEST;
 
 /// Rays made ready for the boxes of nodes: `T` is a number of each.
 ///
@@ -22,8 +23,9 @@ use super::{
 /// planes are moved towards the ray's start and the far ones away from it, by `16u R |i|` in `t`, rounded to no less than `15u R |i|`.
 /// It is part of what is added anyway: nothing need be done for it in the test.
 ///
-/// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-48 of the largest: that
-/// moves the ray by 2^-47 R inside the tree. [`crate::ordinary`] has seen to it that nothing overflows to a NaN.
+/// A component of the direction that is zero, or too small for its reciprocal, is replaced by one of 2^-84. [`crate::ordinary`] has seen to it that
+/// this is less than 2^-48 of the largest, so that the ray is moved by less than 2^-47 R inside the tree, and that no coordinate is above
+/// 2^36, so that nothing overflows to a NaN.
 pub(super) struct BoxRays<T> {
     /// Of the near planes and of the far ones: `-o i`, moved.
     near: [T; 3],
@@ -35,8 +37,9 @@ pub(super) struct BoxRays<T> {
 /// Of a sum of coordinates, the slack that every box has.
 pub(super) const SLACK: f32 = 8.0 * f32::EPSILON;
 
-/// Of the largest component of a direction, the least that counts.
-const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32;
+/// Of a direction's components, the least that counts: 2^-48 of the least that the largest of them may be. The same for all rays, so that the first
+/// division need not wait until it is known which is the largest.
+const NEGLIGIBLE: f32 = 1.0 / (1_u64 << 48) as f32 / FARTHEST;
 
 /// For each axis which planes a ray comes to first: 0 the lower ones, 1 the upper.
 #[inline(always)]
@@ -48,12 +51,8 @@ pub(super) fn near_sides(ray: &Ray) -> [usize; 3] {
 /// `R`: how far any point of the tree is from the origins in the lanes, on any axis. `magnitude` is the tree's greatest coordinate.
 #[inline(always)]
 pub(super) fn reach<I: Copy, L: Lanes<I>>(isa: I, origins: [L; 3], magnitude: f32) -> L {
-    largest::<I, L>(origins) + L::splat(isa, magnitude)
-}
-
-#[inline(always)]
-fn largest<I, L: Lanes<I>>([x, y, z]: [L; 3]) -> L {
-    x.abs().max(y.abs()).max(z.abs())
+    let [x, y, z] = origins;
+    x.abs().max(y.abs()).max(z.abs()) + L::splat(isa, magnitude)
 }
 
 impl<L: Copy> BoxRays<L> {
@@ -64,7 +63,7 @@ impl<L: Copy> BoxRays<L> {
         L: Lanes<I>,
     {
         let (one, slack) = (L::splat(isa, 1.0), L::splat(isa, -SLACK) * reach);
-        let least = L::splat(isa, NEGLIGIBLE) * largest::<I, L>(directions);
+        let least = L::splat(isa, NEGLIGIBLE);
         let mut rays = Self { near: origins, far: origins, inverse: directions, min: L::splat(isa, min) };
         for axis in 0..3 {
             let direction = directions[axis];
@@ -79,6 +78,9 @@ impl<L: Copy> BoxRays<L> {
 
     /// Where each lane's ray enters its box, and a bit for each that does so before the limit: a ray in all lanes and the boxes of a node, or
     /// many rays and one box. `planes` are those of an axis, the nearer ones first.
+    ///
+    /// Where all that is compared is negative, as in an interval that begins below 0, bits tell too early where a ray enters and too late where it leaves:
+    /// no box is lost.
     #[inline(always)]
     pub(super) fn meet<I: Isa>(&self, planes: impl Fn(usize) -> [L; 2], limit: L) -> (L, u32)
     where
@@ -87,8 +89,8 @@ impl<L: Copy> BoxRays<L> {
         let (mut enters, mut leaves) = (self.min, limit);
         for axis in 0..3 {
             let [near, far] = planes(axis);
-            enters = enters.max(near.times_plus(self.inverse[axis], self.near[axis]));
-            leaves = leaves.min(far.times_plus(self.inverse[axis], self.far[axis]));
+            enters = enters.max_by_bits(near.times_plus(self.inverse[axis], self.near[axis]));
+            leaves = leaves.min_by_bits(far.times_plus(self.inverse[axis], self.far[axis]));
         }
         (enters, enters.le(leaves))
     }

@@ -119,6 +119,17 @@ pub(super) trait Lanes<I>:
     fn min(self, other: Self) -> Self;
     /// The greater, lane by lane.
     fn max(self, other: Self) -> Self;
+    /// As [`Self::min`], by comparing bits as whole numbers, which many processors do in one step and not in four: of two negative numbers it may be the
+    /// greater.
+    #[inline(always)]
+    fn min_by_bits(self, other: Self) -> Self {
+        self.min(other)
+    }
+    /// As [`Self::max`], by comparing bits as whole numbers: of two negative ones it may be the lesser.
+    #[inline(always)]
+    fn max_by_bits(self, other: Self) -> Self {
+        self.max(other)
+    }
     /// Without its sign.
     fn abs(self) -> Self;
     /// With the sign of another, lane by lane; its own must be positive.
@@ -133,4 +144,36 @@ pub(super) trait Lanes<I>:
     fn least(self) -> f32;
     /// The greatest of all lanes.
     fn greatest(self) -> f32;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every pair of some numbers, in the first lane.
+    fn check<I: Isa>(isa: I) {
+        let numbers = [f32::NEG_INFINITY, -2.0, -1.0, -0.0, 0.0, f32::MIN_POSITIVE, 1.0, 2.0, f32::INFINITY];
+        let of_two = |a: f32, b: f32, pick: fn(I::F32x16, I::F32x16) -> I::F32x16| {
+            Line::of::<I>(&pick(I::F32x16::splat(isa, a), I::F32x16::splat(isa, b))).0[0]
+        };
+        for (a, b) in numbers.into_iter().flat_map(|a| numbers.map(|b| (a, b))) {
+            let (least, greatest) = (of_two(a, b, Lanes::min_by_bits), of_two(a, b, Lanes::max_by_bits));
+            if a >= 0.0 && b >= 0.0 || a * b < 0.0 {
+                assert_eq!((least, greatest), (a.min(b), a.max(b)), "{a} and {b}");
+            } else {
+                assert!([a, b].contains(&least) && [a, b].contains(&greatest), "{a} and {b}: {least}, {greatest}");
+                assert!(greatest <= a.max(b) && least >= a.min(b));
+            }
+        }
+    }
+
+    #[test]
+    fn bits_find_the_lesser_and_the_greater_but_of_two_negative_numbers_it_may_be_the_other() {
+        check(Portable);
+        #[cfg(target_arch = "x86_64")]
+        {
+            Avx2::detect().into_iter().for_each(check);
+            Avx512::detect().into_iter().for_each(check);
+        }
+    }
 }

@@ -145,6 +145,24 @@ impl<I: HasAvx2> Lanes<I> for Eight {
     }
 
     #[inline(always)]
+    fn min_by_bits(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe {
+            let (own, other) = (_mm256_castps_si256(self.0), _mm256_castps_si256(other.0));
+            _mm256_castsi256_ps(_mm256_min_epi32(own, other))
+        })
+    }
+
+    #[inline(always)]
+    fn max_by_bits(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe {
+            let (own, other) = (_mm256_castps_si256(self.0), _mm256_castps_si256(other.0));
+            _mm256_castsi256_ps(_mm256_max_epi32(own, other))
+        })
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })

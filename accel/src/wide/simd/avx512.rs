@@ -126,6 +126,24 @@ impl Lanes<Avx512> for Sixteen {
     }
 
     #[inline(always)]
+    fn min_by_bits(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe {
+            let (own, other) = (_mm512_castps_si512(self.0), _mm512_castps_si512(other.0));
+            _mm512_castsi512_ps(_mm512_min_epi32(own, other))
+        })
+    }
+
+    #[inline(always)]
+    fn max_by_bits(self, other: Self) -> Self {
+        // SAFETY: kind 1.
+        Self(unsafe {
+            let (own, other) = (_mm512_castps_si512(self.0), _mm512_castps_si512(other.0));
+            _mm512_castsi512_ps(_mm512_max_epi32(own, other))
+        })
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         // SAFETY: kind 1.
         Self(unsafe { _mm512_andnot_ps(_mm512_set1_ps(-0.0), self.0) })

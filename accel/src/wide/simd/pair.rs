@@ -101,6 +101,16 @@ impl<I: Copy, L: Lanes<I, Row = [f32; 8]>> Lanes<I> for Pair<L> {
     }
 
     #[inline(always)]
+    fn min_by_bits(self, other: Self) -> Self {
+        self.both(other, L::min_by_bits)
+    }
+
+    #[inline(always)]
+    fn max_by_bits(self, other: Self) -> Self {
+        self.both(other, L::max_by_bits)
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs(), self.1.abs())
     }
